@@ -1,0 +1,401 @@
+//                Flat-ended indentation of a layer of cartilage
+//
+// Guo & Spilker, Comput Methods Biomech Biomed Engin 17(11):1206-1216, 2014,
+// section 3.1; exact solution for a rigid punch: Mak, Lai & Mow, J Biomech
+// 20:703-714, 1987.
+//
+//            | u_z = -0.075 mm in 500 s, then held; p = 0
+//        +---+---+
+//        |       |     indenter: porous cylinder, radius and height 0.75 mm,
+//        |       |     E 541.7 MPa, nu 0.125, kappa 4.0 mm^4/(N s)
+//    +---+-------+---+
+//    |               | cartilage: thickness 0.75 mm, radius 3 mm, E 0.5417 MPa,
+//    +---------------+ nu 0.0833, kappa 4.0e-3 mm^4/(N s), on fixed
+//    /////////////////  impermeable bone
+//
+// A quarter of it is modelled; the force printed is that of the whole cylinder.
+// The cartilage drains freely outside the contact, where it is sealed against
+// the indenter, which is a thousand times more permeable and drains at its top.
+// Units are mm, N, s, MPa. meshes/indentation.py makes the mesh.
+//
+// Writes to --output: history.csv, history.h5, lines/ (profiles), fields/
+// (ParaView). scripts/plot_indentation.py draws the paper's pictures from them.
+//
+// Sample runs (scripts/run does all of it):
+//   python3 meshes/indentation.py -o indentation.msh
+//   mpirun -np 2 indentation --mesh indentation.msh
+//   mpirun -np 2 indentation --mesh indentation.msh --rigid --scheme sdirk33
+//   mpirun -np 2 indentation --mesh indentation.msh --solver direct
+
+#include "synovia.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+
+struct Options
+{
+   const char *mesh = "indentation.msh";
+   const char *output = "out/indentation";
+   const char *scheme = "backward_euler";
+   const char *solver = "auto";
+   int order = 2;
+   real_t step = 25.0;
+   real_t end = 1500.0;
+   real_t young = 0.5417;
+   real_t poisson = 0.0833;
+   real_t permeability = 4.0e-3;
+   real_t penalty_factor = ContactOptions().penalty_factor;
+   real_t active_set_tolerance = NonlinearOptions().active_set_tolerance;
+   real_t check = 0.0;
+   int fields_every = 10;
+   bool rigid = false;
+
+   /// Returns false, having printed the options, if that was asked for. Throws
+   /// Error if a word is off.
+   bool Parse(int argc, char *argv[])
+   {
+      OptionsParser args(argc, argv);
+      args.AddOption(&mesh, "-m", "--mesh", "Mesh, gmsh's MSH 2.2 or 4.1.");
+      args.AddOption(&output, "-out", "--output", "Directory for the results.");
+      args.AddOption(&order, "-o", "--order",
+                     "Order of the displacement; 1 is stabilised.");
+      args.AddOption(&step, "-dt", "--step", "Time step (s).");
+      args.AddOption(&end, "-te", "--end", "End time (s).");
+      args.AddOption(&scheme, "-s", "--scheme",
+                     "backward_euler, sdirk23 or sdirk33.");
+      args.AddOption(&solver, "-ls", "--solver", "auto, block_amg or direct.");
+      args.AddOption(&young, "-E", "--young",
+                     "Young's modulus of the cartilage (MPa).");
+      args.AddOption(&poisson, "-nu", "--poisson",
+                     "Poisson's ratio of the cartilage.");
+      args.AddOption(&permeability, "-k", "--permeability",
+                     "Permeability of the cartilage (mm^4/(N s)).");
+      args.AddOption(&rigid, "-r", "--rigid", "-d", "--deformable",
+                     "Make the indenter a thousand times stiffer and more "
+                     "permeable, as the exact solution has it.");
+      args.AddOption(&penalty_factor, "-pf", "--penalty-factor",
+                     "Factor of both derived penalties.");
+      args.AddOption(&active_set_tolerance, "-ast", "--active-set-tolerance",
+                     "Relative accuracy that suffices to find the active set; "
+                     "0 solves every linear system to 1e-8.");
+      args.AddOption(&fields_every, "-fe", "--fields-every",
+                     "Write fields every so many steps; 0 never.");
+      args.AddOption(&check, "-c", "--check",
+                     "Fail if a force differs from the exact one by more than "
+                     "this fraction.");
+      args.Parse();
+      if (args.Help() && Mpi::Root())
+      {
+         args.PrintHelp(std::cout);
+      }
+      if (!args.Good() && !args.Help())
+      {
+         std::ostringstream problem;
+         args.PrintError(problem);
+         std::string text = problem.str();
+         text.erase(0, text.find_first_not_of(" \n"));
+         text.erase(text.find_last_not_of(" \n") + 1);
+         throw Error(text + "; --help lists the options");
+      }
+      return args.Good();
+   }
+};
+
+TimeScheme ParseScheme(const std::string &name)
+{
+   if (name == "backward_euler")
+   {
+      return TimeScheme::backward_euler;
+   }
+   if (name == "sdirk23")
+   {
+      return TimeScheme::sdirk23;
+   }
+   if (name == "sdirk33")
+   {
+      return TimeScheme::sdirk33;
+   }
+   throw Error("no time scheme is named \"" + name +
+               "\"; there are: backward_euler, sdirk23, sdirk33");
+}
+
+LinearMethod ParseSolver(const std::string &name)
+{
+   if (name == "auto")
+   {
+      return LinearMethod::automatic;
+   }
+   if (name == "block_amg")
+   {
+      return LinearMethod::block_amg;
+   }
+   if (name == "direct")
+   {
+      return LinearMethod::direct;
+   }
+   throw Error("no linear solver is named \"" + name +
+               "\"; there are: auto, block_amg, direct");
+}
+
+struct Profile
+{
+   LineDefinition line;
+   real_t time;
+};
+
+// What the paper's figures show.
+std::vector<Profile> PaperProfiles()
+{
+   const real_t h = 0.75;
+   const auto radial = [](const char *name, real_t z, real_t length, int points,
+                          const char *region)
+   {
+      LineDefinition line;
+      line.name = name;
+      line.from = {0.0, 0.0, z};
+      line.to = {length, 0.0, z};
+      line.points = points;
+      line.regions = {region};
+      return line;
+   };
+   LineDefinition axis;
+   axis.name = "axis";
+   axis.to = {0.0, 0.0, h};
+   axis.points = 76;
+   axis.regions = {"cartilage"};
+   // The surface itself has no shear stress; the profile nearest to it is taken
+   // a thirtieth of the thickness below.
+   return {{radial("cartilage_top", h - 0.025, 2.99, 300, "cartilage"), 500.0},
+           {radial("cartilage_middle", h / 2, 2.99, 300, "cartilage"), 500.0},
+           {radial("cartilage_bottom", 0.0, 2.99, 300, "cartilage"), 500.0},
+           {axis, 250.0},
+           {axis, 500.0},
+           {radial("contact_cartilage", h, 0.75, 151, "cartilage"), 250.0},
+           {radial("contact_indenter", h, 0.75, 151, "indenter"), 250.0}};
+}
+
+// Force on the whole cylinder (N), compressive, for a rigid, freely draining
+// punch on an infinite layer of the default material.
+struct ExactForce
+{
+   real_t time;
+   real_t force;
+};
+constexpr ExactForce exact_forces[] = {
+   {250.0, 0.0802910477}, {500.0, 0.1495876486}, {1500.0, 0.1383611062}};
+
+bool IsNow(real_t time, const TimeStepper &stepper)
+{
+   return std::abs(time - stepper.Time()) < 1e-9 * (1.0 + time);
+}
+
+/// The laws of both bodies, from the options.
+struct Materials
+{
+   explicit Materials(const Options &options)
+      : cartilage(options.young, options.poisson),
+        cartilage_permeability(options.permeability),
+        indenter(541.7 * Rigidity(options), 0.125),
+        indenter_permeability(4.0 * Rigidity(options))
+   {
+   }
+
+   static real_t Rigidity(const Options &options)
+   {
+      return options.rigid ? 1000.0 : 1.0;
+   }
+
+   IsotropicElastic cartilage;
+   ConstantPermeability cartilage_permeability;
+   IsotropicElastic indenter;
+   ConstantPermeability indenter_permeability;
+};
+
+void Describe(const Options &options, const Materials &materials,
+              BiphasicProblem &problem)
+{
+   problem.SetMaterial("cartilage", materials.cartilage,
+                       materials.cartilage_permeability, 0.2);
+   problem.SetMaterial("indenter", materials.indenter,
+                       materials.indenter_permeability, 0.95);
+   problem.FixDisplacement("bone");
+   problem.PrescribeDisplacement("symmetry_x", 0, 0.0);
+   problem.PrescribeDisplacement("symmetry_y", 1, 0.0);
+   problem.PrescribeDisplacement("indenter_top", 2, Ramp(500.0, -0.075));
+   problem.PrescribePressure("indenter_top", 0.0);
+
+   ContactOptions contact;
+   contact.penalty_factor = options.penalty_factor;
+   // The exact solution is that of small displacements.
+   contact.configuration = SearchConfiguration::reference;
+   problem.AddContact("indenter_bottom", "cartilage_top", contact,
+                      "indenter-cartilage");
+
+   NonlinearOptions nonlinear;
+   nonlinear.linear.method = ParseSolver(options.solver);
+   nonlinear.active_set_tolerance = options.active_set_tolerance;
+   problem.SetNonlinearOptions(nonlinear);
+}
+
+/// History, fields and profiles of the run.
+class Results
+{
+public:
+   Results(const Options &options, BiphasicProblem &problem_,
+           TimeStepper &stepper_)
+      : directory(options.output), problem(problem_), stepper(stepper_),
+        history(directory, MPI_COMM_WORLD), fields(directory, problem, stepper),
+        profiles(PaperProfiles()), fields_every(options.fields_every)
+   {
+   }
+
+   void Add(const StepReport &report)
+   {
+      history.Add(StepDiagnostics(problem, stepper, report));
+      if (fields_every > 0 &&
+          (history.Rows() % fields_every == 0 || stepper.Done()))
+      {
+         fields.Save();
+      }
+      bool updated = false;
+      for (const Profile &profile : profiles)
+      {
+         if (IsNow(profile.time, stepper))
+         {
+            if (!updated)
+            {
+               fields.Update();
+               updated = true;
+            }
+            Write(profile);
+         }
+      }
+   }
+
+private:
+   void Write(const Profile &profile)
+   {
+      const LineSampler sampler(problem.Mesh(), profile.line);
+      sampler.Write(directory + "/lines", stepper.Time(),
+                    {{{"p"}, &stepper.Pressure()},
+                     {{"ux", "uy", "uz"}, &stepper.Displacement()},
+                     {{"sxx", "syy", "szz", "sxy", "syz", "sxz"},
+                      &fields.Stress().Total()},
+                     {{"esxx", "esyy", "eszz", "esxy", "esyz", "esxz"},
+                      &fields.Stress().Effective()}});
+   }
+
+   std::string directory;
+   BiphasicProblem &problem;
+   TimeStepper &stepper;
+   History history;
+   FieldOutput fields;
+   std::vector<Profile> profiles;
+   int fields_every;
+};
+
+/// Prints the force where the exact one is known; gives the relative error,
+/// or 0 at other times.
+real_t CompareForce(BiphasicProblem &problem, const TimeStepper &stepper)
+{
+   for (const ExactForce &exact : exact_forces)
+   {
+      if (!IsNow(exact.time, stepper))
+      {
+         continue;
+      }
+      const ContactPair &pair = *problem.Operator().Pairs().front();
+      const real_t force = 4.0 * pair.Diagnose().source_force[2];
+      const real_t error = force / exact.force - 1.0;
+      if (Mpi::Root())
+      {
+         std::cout << "\nforce at " << exact.time
+                   << " s: " << std::setprecision(7) << force << " N, exact "
+                   << exact.force << " N (rigid punch), "
+                   << std::setprecision(2) << 100.0 * error << " %"
+                   << std::setprecision(6) << std::endl;
+      }
+      return error;
+   }
+   return 0.0;
+}
+
+int Run(int argc, char *argv[])
+{
+   Options options;
+   if (!options.Parse(argc, argv))
+   {
+      return 0;
+   }
+   StopWatch watch;
+   watch.Start();
+
+   const Materials materials(options);
+   TimeOptions times;
+   times.step = options.step;
+   times.end = options.end;
+   times.scheme = ParseScheme(options.scheme);
+
+   NamedMesh mesh = ReadGmsh(options.mesh, MPI_COMM_WORLD);
+   SpaceOptions space;
+   space.order = options.order;
+   BiphasicProblem problem(mesh, space);
+   Describe(options, materials, problem);
+   TimeStepper stepper(problem, times);
+   MakeOutputDirectory(options.output, MPI_COMM_WORLD);
+   Results results(options, problem, stepper);
+   const HYPRE_BigInt dofs = problem.Spaces().Displacement().GlobalTrueVSize() +
+                             problem.Spaces().Pressure().GlobalTrueVSize();
+   if (Mpi::Root())
+   {
+      std::cout << "indentation: order " << options.order << ", " << dofs
+                << " dofs, set up in " << std::setprecision(3)
+                << watch.RealTime() << " s" << std::endl;
+   }
+
+   Progress progress(MPI_COMM_WORLD);
+   real_t worst = 0.0;
+   real_t output_seconds = 0.0;
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      if (!report.converged)
+      {
+         throw Error("the step from t = " + std::to_string(report.time) +
+                     " with dt = " + std::to_string(report.dt) +
+                     " failed: " + report.reason);
+      }
+      const real_t before_output = watch.RealTime();
+      results.Add(report);
+      output_seconds += watch.RealTime() - before_output;
+      progress.Report(report, stepper);
+      worst = std::max(worst, std::abs(CompareForce(problem, stepper)));
+   }
+   const PhaseTimes &phases = problem.Operator().Times();
+   if (Mpi::Root())
+   {
+      std::cout << std::fixed << std::setprecision(1) << "total "
+                << watch.RealTime() << " s: linear systems " << phases.linear
+                << " s, contact search " << phases.search << " s, assembly "
+                << phases.assembly << " s, output " << output_seconds << " s"
+                << std::endl;
+   }
+   return options.check > 0.0 && worst > options.check ? 3 : 0;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+   Mpi::Init(argc, argv);
+   Hypre::Init();
+   return RunMain("indentation", Run, argc, argv);
+}

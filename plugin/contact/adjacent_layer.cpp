@@ -1,0 +1,84 @@
+#include "contact/adjacent_layer.hpp"
+#include "general/reduce.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+real_t Measure(ElementTransformation &trans)
+{
+   const IntegrationRule &rule =
+      IntRules.Get(trans.GetGeometryType(), trans.OrderJ());
+   real_t measure = 0.0;
+   for (int q = 0; q < rule.GetNPoints(); q++)
+   {
+      trans.SetIntPoint(&rule.IntPoint(q));
+      measure += rule.IntPoint(q).weight * trans.Weight();
+   }
+   return measure;
+}
+} // namespace
+
+AdjacentLayer::AdjacentLayer(ParMesh &mesh, const Array<int> &boundary)
+{
+   std::vector<int> adjacent(mesh.attributes.Max() + 1, 0);
+   for (int i = 0; i < mesh.GetNBE(); i++)
+   {
+      if (boundary.Find(mesh.GetBdrAttribute(i)) >= 0)
+      {
+         int element;
+         int info;
+         mesh.GetBdrElementAdjacentElement(i, element, info);
+         adjacent[mesh.GetAttribute(element)] = 1;
+         area += Measure(*mesh.GetBdrElementTransformation(i));
+      }
+   }
+   MPI_Allreduce(MPI_IN_PLACE, adjacent.data(),
+                 static_cast<int>(adjacent.size()), MPI_INT, MPI_MAX,
+                 mesh.GetComm());
+   for (int i = 0; i < mesh.GetNE(); i++)
+   {
+      if (adjacent[mesh.GetAttribute(i)])
+      {
+         volume += Measure(*mesh.GetElementTransformation(i));
+      }
+   }
+   for (size_t attribute = 0; attribute < adjacent.size(); attribute++)
+   {
+      if (adjacent[attribute])
+      {
+         regions.Append(static_cast<int>(attribute));
+      }
+   }
+   area = SumOverRanks(area, mesh.GetComm());
+   volume = SumOverRanks(volume, mesh.GetComm());
+}
+
+real_t AdjacentLayer::SoftestModulus(const MaterialTable &materials) const
+{
+   real_t softest = std::numeric_limits<real_t>::max();
+   for (const int region : regions)
+   {
+      softest =
+         std::min(softest, materials.Get(region).solid->AggregateModulus());
+   }
+   return softest;
+}
+
+real_t AdjacentLayer::LeastPermeability(const MaterialTable &materials) const
+{
+   real_t least = std::numeric_limits<real_t>::max();
+   for (const int region : regions)
+   {
+      least = std::min(least, materials.Get(region).permeability->Typical());
+   }
+   return least;
+}
+
+} // namespace synovia

@@ -1,0 +1,190 @@
+#include "contact/bounding_volume_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+constexpr int leaf_size = 4;
+}
+
+Box::Box()
+{
+   low.fill(std::numeric_limits<real_t>::max());
+   high.fill(std::numeric_limits<real_t>::lowest());
+}
+
+void Box::Add(const Point3 &point)
+{
+   for (int d = 0; d < 3; d++)
+   {
+      low[d] = std::min(low[d], point[d]);
+      high[d] = std::max(high[d], point[d]);
+   }
+}
+
+void Box::Add(const Box &box)
+{
+   if (!box.Empty())
+   {
+      Add(box.low);
+      Add(box.high);
+   }
+}
+
+void Box::Inflate(real_t length)
+{
+   for (int d = 0; d < 3; d++)
+   {
+      low[d] -= length;
+      high[d] += length;
+   }
+}
+
+real_t Box::LongestEdge() const
+{
+   real_t longest = 0.0;
+   for (int d = 0; d < 3; d++)
+   {
+      longest = std::max(longest, high[d] - low[d]);
+   }
+   return longest;
+}
+
+Point3 Box::Centre() const
+{
+   Point3 centre;
+   for (int d = 0; d < 3; d++)
+   {
+      centre[d] = 0.5 * (low[d] + high[d]);
+   }
+   return centre;
+}
+
+bool Box::MeetsSegment(const Point3 &a, const Point3 &b) const
+{
+   real_t enter = 0.0;
+   real_t leave = 1.0;
+   for (int d = 0; d < 3; d++)
+   {
+      const real_t slope = b[d] - a[d];
+      if (slope == 0.0)
+      {
+         if (a[d] < low[d] || a[d] > high[d])
+         {
+            return false;
+         }
+         continue;
+      }
+      const real_t s = (low[d] - a[d]) / slope;
+      const real_t t = (high[d] - a[d]) / slope;
+      enter = std::max(enter, std::min(s, t));
+      leave = std::min(leave, std::max(s, t));
+      if (enter > leave)
+      {
+         return false;
+      }
+   }
+   return true;
+}
+
+BoundingVolumeTree::BoundingVolumeTree(const std::vector<Box> &boxes)
+   : order(boxes.size())
+{
+   std::iota(order.begin(), order.end(), 0);
+   nodes.reserve(2 * boxes.size() / leaf_size + 2);
+   if (!boxes.empty())
+   {
+      Build(boxes, 0, static_cast<int>(boxes.size()));
+   }
+   leaves.reserve(boxes.size());
+   for (const int i : order)
+   {
+      leaves.push_back(boxes[i]);
+   }
+}
+
+int BoundingVolumeTree::Build(const std::vector<Box> &boxes, int begin, int end)
+{
+   const int index = static_cast<int>(nodes.size());
+   nodes.emplace_back();
+   Node node;
+   node.begin = begin;
+   node.end = end;
+   Box centres;
+   for (int i = begin; i < end; i++)
+   {
+      node.box.Add(boxes[order[i]]);
+      centres.Add(boxes[order[i]].Centre());
+   }
+   if (end - begin > leaf_size)
+   {
+      int axis = 0;
+      for (int d = 1; d < 3; d++)
+      {
+         if (centres.high[d] - centres.low[d] >
+             centres.high[axis] - centres.low[axis])
+         {
+            axis = d;
+         }
+      }
+      const int middle = begin + (end - begin) / 2;
+      std::nth_element(order.begin() + begin, order.begin() + middle,
+                       order.begin() + end,
+                       [&](int i, int j)
+                       {
+                          const real_t x = boxes[i].Centre()[axis];
+                          const real_t y = boxes[j].Centre()[axis];
+                          return x < y || (x == y && i < j);
+                       });
+      node.left = Build(boxes, begin, middle);
+      node.right = Build(boxes, middle, end);
+   }
+   nodes[index] = node;
+   return index;
+}
+
+void BoundingVolumeTree::VisitSegment(
+   const Point3 &a, const Point3 &b,
+   const std::function<void(int)> &visit) const
+{
+   if (nodes.empty())
+   {
+      return;
+   }
+   // Halving the boxes bounds the depth by the bits of an int, and each level
+   // leaves at most one box waiting.
+   std::array<int, 64> stack;
+   int top = 0;
+   stack[top++] = 0;
+   while (top > 0)
+   {
+      const Node &node = nodes[stack[--top]];
+      if (!node.box.MeetsSegment(a, b))
+      {
+         continue;
+      }
+      if (node.left >= 0)
+      {
+         stack[top++] = node.left;
+         stack[top++] = node.right;
+         continue;
+      }
+      for (int i = node.begin; i < node.end; i++)
+      {
+         if (leaves[i].MeetsSegment(a, b))
+         {
+            visit(order[i]);
+         }
+      }
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace synovia
+{
+
+using Point3 = std::array<mfem::real_t, 3>;
+
+/// An axis-aligned box, empty until a point is added.
+struct Box
+{
+   Box();
+   bool Empty() const { return low[0] > high[0]; }
+   void Add(const Point3 &point);
+   void Add(const Box &box);
+   void Inflate(mfem::real_t length);
+   mfem::real_t LongestEdge() const;
+   Point3 Centre() const;
+   /// Whether the segment from @a a to @a b meets the box.
+   bool MeetsSegment(const Point3 &a, const Point3 &b) const;
+
+   Point3 low;
+   Point3 high;
+};
+
+/// A binary tree of bounding boxes over a fixed set of boxes.
+class BoundingVolumeTree
+{
+public:
+   explicit BoundingVolumeTree(const std::vector<Box> &boxes);
+
+   /// Calls @a visit with the number of each box that meets the segment.
+   void VisitSegment(const Point3 &a, const Point3 &b,
+                     const std::function<void(int)> &visit) const;
+
+private:
+   struct Node
+   {
+      Box box;
+      int begin = 0;
+      int end = 0;
+      int left = -1;
+      int right = -1;
+   };
+
+   int Build(const std::vector<Box> &boxes, int begin, int end);
+
+   std::vector<Node> nodes;
+   std::vector<int> order;
+   std::vector<Box> leaves;
+};
+
+} // namespace synovia

@@ -1,0 +1,356 @@
+#include "contact/contact_pair.hpp"
+#include "contact/adjacent_layer.hpp"
+#include "general/error.hpp"
+#include "general/reduce.hpp"
+#include "general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// A destination vertex seals only where the source covers it all around: one at
+// the rim of the source touches the free-draining surface, where p = 0.
+constexpr real_t sealing_coverage = 0.75;
+// A source vertex is sealed where the contact covers more than this of it.
+constexpr real_t source_coverage = 0.5;
+// A destination vertex of which the source covers less than this is left out:
+// the sliver could bear only a needle of traction.
+constexpr real_t least_coverage = 0.05;
+
+void VerifyOptions(const std::string &name, const ContactOptions &options)
+{
+   const auto verify = [&](bool good, const char *what, real_t value)
+   {
+      if (!good)
+      {
+         throw Error("contact pair \"" + name + "\": " + what + " is " +
+                     ToText(value) + "; it must be positive, or 0 (derived)");
+      }
+   };
+   verify(options.penalty >= 0.0, "penalty", options.penalty);
+   verify(options.pressure_penalty >= 0.0, "pressure_penalty",
+          options.pressure_penalty);
+   verify(options.gap_tolerance >= 0.0, "gap_tolerance", options.gap_tolerance);
+   verify(options.search_radius >= 0.0, "search_radius", options.search_radius);
+   verify(options.penalty_factor > 0.0, "penalty_factor",
+          options.penalty_factor);
+   verify(options.pressure_tolerance > 0.0, "pressure_tolerance",
+          options.pressure_tolerance);
+   verify(options.quadrature_order > 0, "quadrature_order",
+          options.quadrature_order);
+   // Functions with kinks need a rule with positive weights.
+   const IntegrationRule &rule =
+      IntRules.Get(Geometry::TRIANGLE, options.quadrature_order);
+   if (rule.GetWeights().Min() < 0.0)
+   {
+      throw Error("contact pair \"" + name + "\": quadrature_order is " +
+                  std::to_string(options.quadrature_order) +
+                  ", for which MFEM's rule on triangles has negative weights; "
+                  "it must be between 1 and 25, but not 3");
+   }
+}
+
+Vector SumOfDofs(const Vector &force, const Array<int> &dofs, MPI_Comm comm)
+{
+   Vector sum(3);
+   sum = 0.0;
+   for (const int dof : dofs)
+   {
+      sum[dof % 3] += force[dof];
+   }
+   MPI_Allreduce(MPI_IN_PLACE, sum.GetData(), 3, MPITypeMap<real_t>::mpi_type,
+                 MPI_SUM, comm);
+   return sum;
+}
+} // namespace
+
+ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
+                         const MaterialTable &materials,
+                         const Array<int> &source_boundary,
+                         const Array<int> &destination_boundary_,
+                         const ContactOptions &options_)
+   : name(name_), comm(spaces.GetComm()), options(options_),
+     destination_boundary(destination_boundary_),
+     source(spaces, source_boundary), destination(spaces, destination_boundary)
+{
+   VerifyOptions(name, options);
+   const AdjacentLayer source_layer(spaces.GetMesh(), source_boundary);
+   const AdjacentLayer layer(spaces.GetMesh(), destination_boundary);
+   if (!(source_layer.area > 0.0) || !(layer.area > 0.0))
+   {
+      throw Error("contact pair \"" + name + "\": its " +
+                  (source_layer.area > 0.0 ? "destination" : "source") +
+                  " has no faces");
+   }
+   int shared = 0;
+   for (const int dof : source.MultiplierTrueDofs())
+   {
+      shared += destination.MultiplierTrueDofs().FindSorted(dof) >= 0;
+   }
+   if (AnyRank(shared > 0, comm))
+   {
+      throw Error("contact pair \"" + name +
+                  "\": source and destination share vertices; the two bodies "
+                  "must have meshes of their own, without common nodes");
+   }
+   softest_modulus = std::min(source_layer.SoftestModulus(materials),
+                              layer.SoftestModulus(materials));
+   least_permeability = std::min(source_layer.LeastPermeability(materials),
+                                 layer.LeastPermeability(materials));
+   gap_tolerance = options.gap_tolerance > 0.0 ? options.gap_tolerance
+                                               : 1e-5 * layer.Thickness();
+   gap_options.search_radius =
+      options.search_radius > 0.0 ? options.search_radius : layer.Thickness();
+   gap_options.quadrature_order = options.quadrature_order;
+   source_areas = NodalAreas(source);
+   destination_areas = NodalAreas(destination);
+
+   const int size = spaces.Multiplier().GetTrueVSize();
+   for (Vector *v :
+        {&penalty, &pressure_penalty, &multiplier, &flux_multiplier,
+         &stored.multiplier[0], &stored.multiplier[1],
+         &stored.flux_multiplier[0], &stored.flux_multiplier[1], &gap, &jump,
+         &traction, &flux, &active, &sealing, &gap_weights, &jump_weights})
+   {
+      v->SetSize(size);
+      *v = 0.0;
+   }
+   accepted = stored;
+}
+
+bool ContactPair::Search(const Vector &u)
+{
+   if (options.configuration == SearchConfiguration::current)
+   {
+      source.SetDisplacement(u);
+      destination.SetDisplacement(u);
+   }
+   else if (searched)
+   {
+      return false;
+   }
+   operators = AssembleGapOperators(source, destination, gap_options);
+   for (int j = 0; j < operators.area.Size(); j++)
+   {
+      if (operators.area[j] < least_coverage * destination_areas[j])
+      {
+         operators.area[j] = 0.0;
+      }
+   }
+   if (!searched)
+   {
+      VerifyReach();
+      searched = true;
+   }
+   SetPenalties();
+   return true;
+}
+
+void ContactPair::VerifyReach() const
+{
+   if (SumOverRanks(operators.area.Sum(), comm) > 0.0)
+   {
+      return;
+   }
+   throw Error("contact pair \"" + name +
+               "\": looking along the normals of the destination, no point of "
+               "the source is within the search radius of " +
+               ToText(gap_options.search_radius) +
+               "; check the names of the surfaces and the initial gap, or give "
+               "a larger search_radius");
+}
+
+void ContactPair::SetPenalties()
+{
+   for (int j = 0; j < penalty.Size(); j++)
+   {
+      const real_t h = operators.face_size[j];
+      const real_t area = operators.area[j];
+      penalty[j] = options.penalty;
+      pressure_penalty[j] = options.pressure_penalty;
+      if (area > 0.0 && options.penalty == 0.0)
+      {
+         // As stiff on the whole where the source covers only a part.
+         penalty[j] = options.penalty_factor * softest_modulus / h *
+                      destination_areas[j] / area;
+      }
+      if (area > 0.0 && options.pressure_penalty == 0.0)
+      {
+         pressure_penalty[j] = options.penalty_factor * least_permeability / h;
+      }
+   }
+}
+
+void ContactPair::Evaluate(const Vector &u, const Vector &p)
+{
+   operators.gap->Mult(u, gap);
+   operators.jump->Mult(p, jump);
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      gap[j] += operators.gap_offset[j];
+   }
+}
+
+void ContactPair::AssumeTouching()
+{
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      gap[j] -= gap_tolerance;
+   }
+}
+
+bool ContactPair::UpdateActiveSet(bool keep_seals)
+{
+   bool changed = false;
+   for (int j = 0; j < active.Size(); j++)
+   {
+      const real_t area = operators.area[j];
+      const real_t trial = multiplier[j] + penalty[j] * gap[j];
+      const bool touches = area > 0.0 && trial < 0.0;
+      const bool seals = area > 0.0 &&
+                         area > sealing_coverage * destination_areas[j] &&
+                         (touches || gap[j] < gap_tolerance ||
+                          (keep_seals && sealing[j] > 0.5));
+      changed =
+         changed || touches != (active[j] > 0.5) || seals != (sealing[j] > 0.5);
+      active[j] = touches ? 1.0 : 0.0;
+      sealing[j] = seals ? 1.0 : 0.0;
+      traction[j] = touches ? trial : 0.0;
+      flux[j] =
+         seals ? flux_multiplier[j] + pressure_penalty[j] * jump[j] : 0.0;
+      gap_weights[j] = touches ? area * penalty[j] : 0.0;
+      jump_weights[j] = seals ? area * pressure_penalty[j] : 0.0;
+   }
+   return AnyRank(changed, comm);
+}
+
+Vector ContactPair::SealedVertices() const
+{
+   Vector covered(sealing.Size());
+   operators.coverage->Mult(sealing, covered);
+   for (int k = 0; k < covered.Size(); k++)
+   {
+      const bool sealed =
+         sealing[k] > 0.5 ||
+         (covered[k] > 0.0 && covered[k] > source_coverage * source_areas[k]);
+      covered[k] = sealed ? 1.0 : 0.0;
+   }
+   return covered;
+}
+
+void ContactPair::AddForces(Vector &momentum, Vector &mass) const
+{
+   Vector nodal_force(gap.Size());
+   Vector nodal_flux(gap.Size());
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      nodal_force[j] = operators.area[j] * traction[j];
+      nodal_flux[j] = operators.area[j] * flux[j];
+   }
+   Vector force(momentum.Size());
+   Vector outflow(mass.Size());
+   operators.gap->MultTranspose(nodal_force, force);
+   operators.jump->MultTranspose(nodal_flux, outflow);
+   momentum -= force;
+   mass += outflow;
+}
+
+void ContactPair::AddMagnitudes(const Vector &u, const Vector &p,
+                                Vector &momentum, Vector &mass) const
+{
+   Vector rows(gap.Size());
+   operators.gap->AbsMult(1.0, u, 0.0, rows);
+   rows *= gap_weights;
+   operators.gap->AbsMultTranspose(1.0, rows, 1.0, momentum);
+   operators.jump->AbsMult(1.0, p, 0.0, rows);
+   rows *= jump_weights;
+   operators.jump->AbsMultTranspose(1.0, rows, 1.0, mass);
+}
+
+bool ContactPair::Converged(real_t peak_pressure) const
+{
+   const Diagnostics now = Diagnose();
+   return now.penetration <= gap_tolerance &&
+          now.pressure_jump <= options.pressure_tolerance * peak_pressure;
+}
+
+void ContactPair::Augment()
+{
+   for (int j = 0; j < multiplier.Size(); j++)
+   {
+      multiplier[j] = traction[j];
+      flux_multiplier[j] = flux[j];
+   }
+}
+
+void ContactPair::Store(real_t time)
+{
+   Augment();
+   stored.time = {stored.time[1], time};
+   stored.multiplier[0] = stored.multiplier[1];
+   stored.multiplier[1] = multiplier;
+   stored.flux_multiplier[0] = stored.flux_multiplier[1];
+   stored.flux_multiplier[1] = flux_multiplier;
+}
+
+void ContactPair::Predict(real_t time)
+{
+   // Beyond one and a half times the last interval a line says little.
+   constexpr real_t farthest = 1.5;
+   const real_t interval = stored.time[1] - stored.time[0];
+   const real_t ahead = time - stored.time[1];
+   const real_t s =
+      interval > 0.0 && ahead <= farthest * interval ? ahead / interval : 0.0;
+   add(1.0 + s, stored.multiplier[1], -s, stored.multiplier[0], multiplier);
+   add(1.0 + s, stored.flux_multiplier[1], -s, stored.flux_multiplier[0],
+       flux_multiplier);
+   for (int j = 0; j < multiplier.Size(); j++)
+   {
+      multiplier[j] = std::min(multiplier[j], 0.0);
+   }
+}
+
+ContactPair::Diagnostics ContactPair::Diagnose() const
+{
+   Diagnostics result;
+   Vector momentum(operators.gap->Width());
+   Vector mass(operators.jump->Width());
+   momentum = 0.0;
+   mass = 0.0;
+   AddForces(momentum, mass);
+   const Vector on_source =
+      SumOfDofs(momentum, source.DisplacementTrueDofs(), comm);
+   const Vector on_destination =
+      SumOfDofs(momentum, destination.DisplacementTrueDofs(), comm);
+   for (int d = 0; d < 3; d++)
+   {
+      result.source_force[d] = on_source[d];
+      result.destination_force[d] = on_destination[d];
+   }
+   real_t area = 0.0;
+   real_t exchange = 0.0;
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      area += active[j] * operators.area[j];
+      result.penetration =
+         std::max(result.penetration, active[j] * std::abs(gap[j]));
+      result.pressure_jump =
+         std::max(result.pressure_jump, sealing[j] * std::abs(jump[j]));
+      result.peak_traction = std::max(result.peak_traction, -traction[j]);
+      exchange += operators.area[j] * flux[j];
+   }
+   result.area = SumOverRanks(area, comm);
+   result.fluid_exchange = SumOverRanks(exchange, comm);
+   result.penetration = MaxOverRanks(result.penetration, comm);
+   result.pressure_jump = MaxOverRanks(result.pressure_jump, comm);
+   result.peak_traction = MaxOverRanks(result.peak_traction, comm);
+   return result;
+}
+
+} // namespace synovia

@@ -1,0 +1,197 @@
+#pragma once
+
+#include "contact/gap_operators.hpp"
+#include "materials/material_table.hpp"
+
+#include <memory>
+#include <string>
+
+namespace synovia
+{
+
+/// The configuration in which the surfaces look for each other.
+enum class SearchConfiguration
+{
+   /// The deformed one, anew in every step: for large sliding and rotation.
+   current,
+   /// The undeformed one, once: the linear theory of small displacements to the
+   /// letter. Contact is then linear but for its inequalities.
+   reference
+};
+
+/// How contact is enforced. Zero means: derived from the bodies.
+struct ContactOptions
+{
+   /// eta (stress / length). Derived: penalty_factor x H_A / h of the softer
+   /// side, h being the size of the destination's faces around a vertex; more
+   /// where the source covers only a part of what belongs to the vertex.
+   mfem::real_t penalty = 0.0;
+   /// eta_p (flux / stress). Derived: penalty_factor x kappa / h of the less
+   /// permeable side.
+   mfem::real_t pressure_penalty = 0.0;
+   /// Results must not depend on it, iteration counts may.
+   mfem::real_t penalty_factor = 100.0;
+   /// Largest gap left between surfaces in contact (length). Derived: 1e-5 of
+   /// the destination layer's thickness.
+   mfem::real_t gap_tolerance = 0.0;
+   /// Largest pressure jump left, as a fraction of the peak pressure.
+   mfem::real_t pressure_tolerance = 1e-3;
+   /// How far the destination looks for the source (length). Derived: the
+   /// destination layer's thickness.
+   mfem::real_t search_radius = 0.0;
+   SearchConfiguration configuration = SearchConfiguration::current;
+   /// Exactness of the destination's quadrature.
+   int quadrature_order = 10;
+};
+
+/// Two surfaces that may come into contact: constraint, active set,
+/// multipliers.
+///
+/// Frictionless and biphasic (Guo & Spilker 2014, equations 10 to 13): in
+/// contact the normal traction t = lambda + eta g is compressive (negative) and
+/// acts on both surfaces, and the relative flux mu + eta_p (p_A - p_B) out of
+/// the source goes into the destination. A vertex of the destination is in
+/// contact where lambda + eta g < 0. Vectors have one entry a multiplier true
+/// dof.
+class ContactPair
+{
+public:
+   /// Collective. Borrows @a spaces and @a materials. Throws Error if the two
+   /// sides share a vertex, if a side has no faces, or on options out of range.
+   ContactPair(const std::string &name, BiphasicSpaces &spaces,
+               const MaterialTable &materials,
+               const mfem::Array<int> &source_boundary,
+               const mfem::Array<int> &destination_boundary,
+               const ContactOptions &options);
+
+   const std::string &Name() const { return name; }
+   const ContactSurface &Source() const { return source; }
+   const mfem::Array<int> &DestinationBoundary() const
+   {
+      return destination_boundary;
+   }
+   const ContactSurface &Destination() const { return destination; }
+
+   /// Moves the surfaces to displacement @a u (true dofs), searches, and
+   /// assembles the gap operators, unless they hold for good; says whether it
+   /// did. Collective. The first call throws Error if nothing is within the
+   /// search radius.
+   bool Search(const mfem::Vector &u);
+   const GapOperators &Operators() const { return operators; }
+
+   /// Evaluates gap and pressure jump at the given true dofs. Collective.
+   void Evaluate(const mfem::Vector &u, const mfem::Vector &p);
+
+   /// Takes points within the gap tolerance for touching, from the last
+   /// Evaluate(): a guess to start from where nothing is known of the traction.
+   void AssumeTouching();
+
+   /// Decides which vertices are in contact and which of them seal the surface,
+   /// from the last Evaluate(). A vertex seals where the source covers it and
+   /// no more than the gap tolerance is open: nothing drains through less, and
+   /// a seal that broke with every tensile vertex would not let Newton's method
+   /// settle. With @a keep_seals no seal breaks. Collective; true if any rank's
+   /// set changed.
+   bool UpdateActiveSet(bool keep_seals = false);
+
+   /// 1 for the vertices of either surface that this pair seals. Collective.
+   mfem::Vector SealedVertices() const;
+
+   /// Adds the nodal contact forces to @a momentum (force), and the fluid that
+   /// contact moves out of the nodes to @a mass (volume / time). Collective.
+   void AddForces(mfem::Vector &momentum, mfem::Vector &mass) const;
+
+   /// Adds |G|^T W |G| u to @a momentum and |J|^T W_p |J| p to @a mass, for
+   /// vectors of absolute values: what round-off is relative to. Collective.
+   void AddMagnitudes(const mfem::Vector &u, const mfem::Vector &p,
+                      mfem::Vector &momentum, mfem::Vector &mass) const;
+
+   /// Weights of the semi-definite terms G^T W G and J^T W_p J.
+   const mfem::Vector &GapWeights() const { return gap_weights; }
+   const mfem::Vector &JumpWeights() const { return jump_weights; }
+
+   /// Whether gap and jump are within tolerance; @a peak_pressure as found on
+   /// all ranks. Collective.
+   bool Converged(mfem::real_t peak_pressure) const;
+
+   /// lambda <- lambda + eta g, mu <- mu + eta_p (p_A - p_B).
+   void Augment();
+
+   /// Keeps the multipliers as those reached at @a time. The penalty's share of
+   /// the traction goes into them.
+   void Store(mfem::real_t time);
+   /// Sets the multipliers for a solve at @a time: extrapolated from the last
+   /// two that were stored, as far as there are.
+   void Predict(mfem::real_t time);
+
+   /// Remembers what was stored, and goes back to what was remembered.
+   void Accept() { accepted = stored; }
+   void Restore() { stored = accepted; }
+
+   /// What there is to report of the last Evaluate() and UpdateActiveSet().
+   struct Diagnostics
+   {
+      Point3 source_force{{0.0, 0.0, 0.0}};
+      Point3 destination_force{{0.0, 0.0, 0.0}};
+      mfem::real_t area = 0.0;
+      mfem::real_t penetration = 0.0;
+      mfem::real_t pressure_jump = 0.0;
+      mfem::real_t peak_traction = 0.0;
+      /// Fluid volume per time from the source into the destination.
+      mfem::real_t fluid_exchange = 0.0;
+   };
+   /// Collective.
+   Diagnostics Diagnose() const;
+
+   /// Contact traction, negative in compression, and gap at the vertices of the
+   /// destination; zero elsewhere.
+   const mfem::Vector &Traction() const { return traction; }
+   const mfem::Vector &Gap() const { return gap; }
+   /// 1 in contact, 0 not.
+   const mfem::Vector &Status() const { return active; }
+   mfem::real_t GapTolerance() const { return gap_tolerance; }
+   mfem::real_t SearchRadius() const { return gap_options.search_radius; }
+
+private:
+   void SetPenalties();
+   void VerifyReach() const;
+
+   std::string name;
+   MPI_Comm comm;
+   ContactOptions options;
+   mfem::Array<int> destination_boundary;
+   ContactSurface source;
+   ContactSurface destination;
+   GapOptions gap_options;
+   mfem::real_t gap_tolerance;
+   mfem::real_t softest_modulus;
+   mfem::real_t least_permeability;
+   mfem::Vector source_areas;
+   mfem::Vector destination_areas;
+   GapOperators operators;
+   bool searched = false;
+
+   mfem::Vector penalty;
+   mfem::Vector pressure_penalty;
+   mfem::Vector multiplier;
+   mfem::Vector flux_multiplier;
+   /// Multipliers at two times, the later one second.
+   struct Past
+   {
+      std::array<mfem::real_t, 2> time{{0.0, 0.0}};
+      std::array<mfem::Vector, 2> multiplier;
+      std::array<mfem::Vector, 2> flux_multiplier;
+   };
+   Past stored;
+   Past accepted;
+   mfem::Vector gap;
+   mfem::Vector jump;
+   mfem::Vector traction;
+   mfem::Vector flux;
+   mfem::Vector active;
+   mfem::Vector sealing;
+   mfem::Vector gap_weights;
+   mfem::Vector jump_weights;
+};
+
+} // namespace synovia

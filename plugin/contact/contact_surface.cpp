@@ -1,0 +1,164 @@
+#include "contact/contact_surface.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+real_t Dot(const Point3 &a, const Point3 &b)
+{
+   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Point3 Cross(const Point3 &a, const Point3 &b)
+{
+   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+           a[0] * b[1] - a[1] * b[0]};
+}
+
+Point3 Sum(const Point3 &a, real_t s, const Point3 &b)
+{
+   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+
+DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
+   : geometry(spaces.GetMesh().GetBdrElementGeometry(boundary_element)),
+     element(spaces.Displacement().GetBE(boundary_element))
+{
+   spaces.GetMesh().GetBdrElementTransformation(boundary_element, &trans);
+   Array<int> nodes;
+   spaces.Displacement().GetBdrElementDofs(boundary_element, nodes);
+   u_dofs.SetSize(3 * nodes.Size());
+   for (int k = 0; k < nodes.Size(); k++)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         u_dofs[3 * k + d] = spaces.Displacement().DofToVDof(nodes[k], d);
+      }
+   }
+   spaces.Pressure().GetBdrElementDofs(boundary_element, p_dofs);
+   spaces.Multiplier().GetBdrElementDofs(boundary_element, m_dofs);
+   nodal_displacement.SetSize(3, nodes.Size());
+   nodal_displacement = 0.0;
+   shape.SetSize(nodes.Size());
+   dshape.SetSize(nodes.Size(), 2);
+}
+
+void DeformedFace::SetDisplacement(const Vector &u)
+{
+   for (int i = 0; i < u_dofs.Size(); i++)
+   {
+      nodal_displacement(i % 3, i / 3) = u[u_dofs[i]];
+   }
+}
+
+Point3 DeformedFace::ReferencePoint(const IntegrationPoint &ip) const
+{
+   Point3 x;
+   Vector position(x.data(), 3);
+   trans.Transform(ip, position);
+   return x;
+}
+
+real_t DeformedFace::ReferenceWeight(const IntegrationPoint &ip) const
+{
+   trans.SetIntPoint(&ip);
+   return trans.Weight();
+}
+
+Point3 DeformedFace::CurrentPoint(const IntegrationPoint &ip,
+                                  std::array<Point3, 2> *tangents) const
+{
+   Point3 x = ReferencePoint(ip);
+   element->CalcShape(ip, shape);
+   const int nodes = nodal_displacement.Width();
+   for (int k = 0; k < nodes; k++)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         x[d] += shape[k] * nodal_displacement(d, k);
+      }
+   }
+   if (tangents)
+   {
+      trans.SetIntPoint(&ip);
+      const DenseMatrix &jacobian = trans.Jacobian();
+      element->CalcDShape(ip, dshape);
+      for (int a = 0; a < 2; a++)
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            real_t value = jacobian(d, a);
+            for (int k = 0; k < nodes; k++)
+            {
+               value += dshape(k, a) * nodal_displacement(d, k);
+            }
+            (*tangents)[a][d] = value;
+         }
+      }
+   }
+   return x;
+}
+
+Point3 DeformedFace::CurrentNormal(const IntegrationPoint &ip) const
+{
+   std::array<Point3, 2> tangents;
+   CurrentPoint(ip, &tangents);
+   const Point3 normal = Cross(tangents[0], tangents[1]);
+   const real_t length = std::sqrt(Dot(normal, normal));
+   return {normal[0] / length, normal[1] / length, normal[2] / length};
+}
+
+Box DeformedFace::CurrentBox() const
+{
+   Box box;
+   const IntegrationRule &nodes = element->GetNodes();
+   for (int k = 0; k < nodes.GetNPoints(); k++)
+   {
+      box.Add(CurrentPoint(nodes.IntPoint(k)));
+   }
+   const IntegrationRule &corners = *Geometries.GetVertices(geometry);
+   for (int k = 0; k < corners.GetNPoints(); k++)
+   {
+      box.Add(CurrentPoint(corners.IntPoint(k)));
+   }
+   box.Inflate(0.1 * box.LongestEdge());
+   return box;
+}
+
+ContactSurface::ContactSurface(BiphasicSpaces &spaces_,
+                               const Array<int> &boundary)
+   : spaces(spaces_)
+{
+   ParMesh &mesh = spaces.GetMesh();
+   Array<int> marker(mesh.bdr_attributes.Max());
+   marker = 0;
+   for (const int attribute : boundary)
+   {
+      marker[attribute - 1] = 1;
+   }
+   for (int i = 0; i < mesh.GetNBE(); i++)
+   {
+      if (marker[mesh.GetBdrAttribute(i) - 1])
+      {
+         faces.emplace_back(spaces, i);
+      }
+   }
+   spaces.Displacement().GetEssentialTrueDofs(marker, u_tdofs);
+   spaces.Pressure().GetEssentialTrueDofs(marker, p_tdofs);
+   spaces.Multiplier().GetEssentialTrueDofs(marker, m_tdofs);
+}
+
+void ContactSurface::SetDisplacement(const Vector &u)
+{
+   ParGridFunction field(&spaces.Displacement());
+   field.SetFromTrueDofs(u);
+   for (DeformedFace &face : faces)
+   {
+      face.SetDisplacement(field);
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "contact/bounding_volume_tree.hpp"
+#include "physics/biphasic_spaces.hpp"
+
+#include <vector>
+
+namespace synovia
+{
+
+/// A boundary face of this rank with the displacement of its nodes: the current
+/// position of its points is X(xi) + sum_k N_k(xi) u_k.
+class DeformedFace
+{
+public:
+   /// @param spaces      borrowed, outlives the object
+   /// @param element     number of the boundary element on this rank
+   DeformedFace(BiphasicSpaces &spaces, int element);
+
+   /// Takes the nodal displacements from @a u (a grid function's local dofs).
+   void SetDisplacement(const mfem::Vector &u);
+
+   mfem::Geometry::Type GetGeometry() const { return geometry; }
+   const mfem::FiniteElement &DisplacementElement() const { return *element; }
+   /// Local dofs of the face, node by node: x, y, z of node 0, then node 1, ...
+   const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
+   const mfem::Array<int> &PressureDofs() const { return p_dofs; }
+   const mfem::Array<int> &MultiplierDofs() const { return m_dofs; }
+
+   /// Reference position of a point of the face.
+   Point3 ReferencePoint(const mfem::IntegrationPoint &ip) const;
+   /// Area factor of the reference configuration.
+   mfem::real_t ReferenceWeight(const mfem::IntegrationPoint &ip) const;
+
+   /// Current position, and the two tangents d x / d xi if asked for.
+   Point3 CurrentPoint(const mfem::IntegrationPoint &ip,
+                       std::array<Point3, 2> *tangents = nullptr) const;
+
+   /// Outward unit normal of the current configuration.
+   Point3 CurrentNormal(const mfem::IntegrationPoint &ip) const;
+
+   /// A box around the current face, with room for its curvature.
+   Box CurrentBox() const;
+
+private:
+   mfem::Geometry::Type geometry;
+   const mfem::FiniteElement *element;
+   // MFEM's transformations keep the last point that they were asked about.
+   mutable mfem::IsoparametricTransformation trans;
+   mfem::Array<int> u_dofs;
+   mfem::Array<int> p_dofs;
+   mfem::Array<int> m_dofs;
+   mfem::DenseMatrix nodal_displacement;
+   mutable mfem::Vector shape;
+   mutable mfem::DenseMatrix dshape;
+};
+
+/// The faces of this rank that belong to one side of a contact pair. A rank may
+/// have none.
+class ContactSurface
+{
+public:
+   /// Borrows @a spaces; @a boundary lists the attributes.
+   ContactSurface(BiphasicSpaces &spaces, const mfem::Array<int> &boundary);
+
+   /// Moves the faces to the displacement @a u (true dofs). Collective.
+   void SetDisplacement(const mfem::Vector &u);
+
+   const std::vector<DeformedFace> &Faces() const { return faces; }
+   BiphasicSpaces &Spaces() const { return spaces; }
+
+   /// True dofs of the surface, ascending.
+   const mfem::Array<int> &DisplacementTrueDofs() const { return u_tdofs; }
+   const mfem::Array<int> &PressureTrueDofs() const { return p_tdofs; }
+   const mfem::Array<int> &MultiplierTrueDofs() const { return m_tdofs; }
+
+private:
+   BiphasicSpaces &spaces;
+   std::vector<DeformedFace> faces;
+   mfem::Array<int> u_tdofs;
+   mfem::Array<int> p_tdofs;
+   mfem::Array<int> m_tdofs;
+};
+
+mfem::real_t Dot(const Point3 &a, const Point3 &b);
+Point3 Cross(const Point3 &a, const Point3 &b);
+/// a + s b
+Point3 Sum(const Point3 &a, mfem::real_t s, const Point3 &b);
+
+} // namespace synovia

@@ -1,0 +1,240 @@
+#include "contact/surface_search.hpp"
+#include "contact/exchange.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// How far outside a face, in its reference coordinates, still counts as on it,
+// so that no ray slips through between two faces.
+constexpr real_t edge_tolerance = 1e-6;
+
+// A face turned sideways or away is not a partner: its normal must be against
+// the query's by at least this cosine.
+constexpr real_t facing_cosine = -0.2;
+
+std::vector<Box> FaceBoxes(const ContactSurface &surface)
+{
+   std::vector<Box> boxes;
+   boxes.reserve(surface.Faces().size());
+   for (const DeformedFace &face : surface.Faces())
+   {
+      boxes.push_back(face.CurrentBox());
+   }
+   return boxes;
+}
+
+bool Inside(Geometry::Type geometry, const IntegrationPoint &ip)
+{
+   if (ip.x < -edge_tolerance || ip.y < -edge_tolerance)
+   {
+      return false;
+   }
+   return geometry == Geometry::TRIANGLE
+             ? ip.x + ip.y <= 1.0 + edge_tolerance
+             : ip.x <= 1.0 + edge_tolerance && ip.y <= 1.0 + edge_tolerance;
+}
+
+// Solves x(xi, eta) = point + s normal by Newton's method from the centre.
+bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
+                   IntegrationPoint &ip, real_t &distance)
+{
+   constexpr int max_iterations = 20;
+   ip = Geometries.GetCenter(face.GetGeometry());
+   distance = 0.0;
+   std::array<Point3, 2> t;
+   for (int i = 0; i < max_iterations; i++)
+   {
+      const Point3 x = face.CurrentPoint(ip, &t);
+      const Point3 residual =
+         Sum(Sum(x, -1.0, query.point), -distance, query.normal);
+      // Cramer's rule for [t0 t1 -n] (dxi, deta, ds) = -residual.
+      const Point3 area = Cross(t[0], t[1]);
+      const real_t det = -Dot(area, query.normal);
+      const real_t scale = std::sqrt(Dot(area, area));
+      if (std::abs(det) < 1e-10 * scale)
+      {
+         return false;
+      }
+      const real_t dxi = Dot(Cross(residual, t[1]), query.normal) / det;
+      const real_t deta = Dot(Cross(t[0], residual), query.normal) / det;
+      const real_t ds = -Dot(area, residual) / det;
+      ip.x += dxi;
+      ip.y += deta;
+      distance += ds;
+      if (std::abs(dxi) + std::abs(deta) < 1e-12)
+      {
+         return true;
+      }
+      if (std::abs(ip.x) > 4.0 || std::abs(ip.y) > 4.0)
+      {
+         return false;
+      }
+   }
+   return false;
+}
+} // namespace
+
+SurfaceSearch::SurfaceSearch(const ContactSurface &surface_, real_t radius_)
+   : surface(surface_), radius(radius_), comm(surface.Spaces().GetComm()),
+     tree(FaceBoxes(surface))
+{
+   MPI_Comm_size(comm, &size);
+   MPI_Comm_rank(comm, &rank);
+   Box mine;
+   for (const Box &box : FaceBoxes(surface))
+   {
+      mine.Add(box);
+   }
+   rank_boxes.resize(size);
+   MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, rank_boxes.data(), sizeof(Box),
+                 MPI_BYTE, comm);
+}
+
+SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
+{
+   SearchHit best;
+   best.distance = radius;
+   const Point3 a = Sum(query.point, -radius, query.normal);
+   const Point3 b = Sum(query.point, radius, query.normal);
+   tree.VisitSegment(a, b,
+                     [&](int i)
+                     {
+                        const DeformedFace &face = surface.Faces()[i];
+                        IntegrationPoint ip;
+                        real_t distance;
+                        if (!IntersectFace(face, query, ip, distance) ||
+                            !Inside(face.GetGeometry(), ip) ||
+                            std::abs(distance) > std::abs(best.distance) ||
+                            Dot(face.CurrentNormal(ip), query.normal) >
+                               facing_cosine)
+                        {
+                           return;
+                        }
+                        best.rank = rank;
+                        best.face = i;
+                        best.xi = ip.x;
+                        best.eta = ip.y;
+                        best.distance = distance;
+                        best.reference = face.ReferencePoint(ip);
+                     });
+   return best;
+}
+
+std::vector<SearchHit>
+SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
+{
+   std::vector<std::vector<SearchQuery>> outgoing(size);
+   std::vector<std::vector<int>> sent(size);
+   for (size_t q = 0; q < queries.size(); q++)
+   {
+      const Point3 a = Sum(queries[q].point, -radius, queries[q].normal);
+      const Point3 b = Sum(queries[q].point, radius, queries[q].normal);
+      for (int r = 0; r < size; r++)
+      {
+         if (!rank_boxes[r].Empty() && rank_boxes[r].MeetsSegment(a, b))
+         {
+            outgoing[r].push_back(queries[q]);
+            sent[r].push_back(static_cast<int>(q));
+         }
+      }
+   }
+   const auto incoming = Exchange(outgoing, comm);
+   std::vector<std::vector<SearchHit>> answers(size);
+   for (int r = 0; r < size; r++)
+   {
+      answers[r].reserve(incoming[r].size());
+      for (const SearchQuery &query : incoming[r])
+      {
+         answers[r].push_back(FindLocal(query));
+      }
+   }
+   const auto returned = Exchange(answers, comm);
+   std::vector<SearchHit> hits(queries.size());
+   for (int r = 0; r < size; r++)
+   {
+      for (size_t i = 0; i < returned[r].size(); i++)
+      {
+         const SearchHit &hit = returned[r][i];
+         SearchHit &best = hits[sent[r][i]];
+         if (hit.Found() && (!best.Found() ||
+                             std::abs(hit.distance) < std::abs(best.distance)))
+         {
+            best = hit;
+         }
+      }
+   }
+   return hits;
+}
+
+FaceDofs SurfaceSearch::LocalFaceDofs(int index) const
+{
+   const DeformedFace &face = surface.Faces()[index];
+   const auto global = [](ParFiniteElementSpace &space, const Array<int> &dofs)
+   {
+      std::vector<HYPRE_BigInt> result;
+      for (const int dof : dofs)
+      {
+         result.push_back(space.GetGlobalTDofNumber(dof));
+      }
+      return result;
+   };
+   BiphasicSpaces &spaces = surface.Spaces();
+   return {face.GetGeometry(),
+           global(spaces.Displacement(), face.DisplacementDofs()),
+           global(spaces.Pressure(), face.PressureDofs()),
+           global(spaces.Multiplier(), face.MultiplierDofs())};
+}
+
+std::vector<FaceDofs>
+SurfaceSearch::GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const
+{
+   std::vector<std::vector<int>> requests(size);
+   for (const auto &[owner, face] : faces)
+   {
+      requests[owner].push_back(face);
+   }
+   const auto asked = Exchange(requests, comm);
+   std::vector<std::vector<HYPRE_BigInt>> replies(size);
+   for (int r = 0; r < size; r++)
+   {
+      for (const int face : asked[r])
+      {
+         const FaceDofs dofs = LocalFaceDofs(face);
+         std::vector<HYPRE_BigInt> &reply = replies[r];
+         reply.push_back(dofs.geometry);
+         for (const auto *list :
+              {&dofs.displacement, &dofs.pressure, &dofs.multiplier})
+         {
+            reply.push_back(static_cast<HYPRE_BigInt>(list->size()));
+            reply.insert(reply.end(), list->begin(), list->end());
+         }
+      }
+   }
+   const auto received = Exchange(replies, comm);
+   std::vector<size_t> position(size, 0);
+   std::vector<FaceDofs> result;
+   result.reserve(faces.size());
+   for (const auto &[owner, face] : faces)
+   {
+      const std::vector<HYPRE_BigInt> &data = received[owner];
+      size_t &at = position[owner];
+      FaceDofs dofs;
+      dofs.geometry = static_cast<Geometry::Type>(data[at++]);
+      for (auto *list : {&dofs.displacement, &dofs.pressure, &dofs.multiplier})
+      {
+         const size_t count = data[at++];
+         list->assign(data.begin() + at, data.begin() + at + count);
+         at += count;
+      }
+      result.push_back(std::move(dofs));
+   }
+   return result;
+}
+
+} // namespace synovia

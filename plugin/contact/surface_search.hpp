@@ -1,0 +1,77 @@
+#pragma once
+
+#include "contact/contact_surface.hpp"
+
+#include <vector>
+
+namespace synovia
+{
+
+/// A point that looks for a surface, along its unit normal and against it.
+struct SearchQuery
+{
+   Point3 point;
+   Point3 normal;
+};
+
+/// What a query found.
+struct SearchHit
+{
+   /// Rank that has the face, or -1 where nothing was found.
+   int rank = -1;
+   /// Number of the face in that rank's ContactSurface.
+   int face = -1;
+   /// Where on the face, in its reference coordinates.
+   mfem::real_t xi = 0.0;
+   mfem::real_t eta = 0.0;
+   /// Signed distance along the normal: negative where the surfaces overlap.
+   mfem::real_t distance = 0.0;
+   /// Position of the point found in the reference configuration.
+   Point3 reference{{0.0, 0.0, 0.0}};
+
+   bool Found() const { return rank >= 0; }
+};
+
+/// Degrees of freedom of a face, on whichever rank it lives.
+struct FaceDofs
+{
+   mfem::Geometry::Type geometry;
+   /// Global true dofs: displacement node by node (3 a node), then the others.
+   std::vector<HYPRE_BigInt> displacement;
+   std::vector<HYPRE_BigInt> pressure;
+   std::vector<HYPRE_BigInt> multiplier;
+};
+
+/// Finds where normals hit a surface that is split over ranks in any way.
+///
+/// A face counts as hit where it turns towards the query (its normal against
+/// the query's) and is within the radius, on either side; the nearest hit is
+/// taken. Ranks send their queries to those ranks only whose boxes they meet.
+class SurfaceSearch
+{
+public:
+   /// Collective. Borrows @a surface in its current configuration; a surface
+   /// that moves needs a new search.
+   SurfaceSearch(const ContactSurface &surface, mfem::real_t radius);
+
+   /// Collective; a rank may ask nothing. Hits in the order of the queries.
+   std::vector<SearchHit> Find(const std::vector<SearchQuery> &queries) const;
+
+   /// Collective. The dofs of the faces (rank, number) asked for, in order.
+   std::vector<FaceDofs>
+   GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const;
+
+private:
+   SearchHit FindLocal(const SearchQuery &query) const;
+   FaceDofs LocalFaceDofs(int face) const;
+
+   const ContactSurface &surface;
+   mfem::real_t radius;
+   MPI_Comm comm;
+   int size;
+   int rank;
+   BoundingVolumeTree tree;
+   std::vector<Box> rank_boxes;
+};
+
+} // namespace synovia

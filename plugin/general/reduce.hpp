@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mfem.hpp"
+
+namespace synovia
+{
+
+/// Collective: the largest and the sum over ranks.
+inline mfem::real_t MaxOverRanks(mfem::real_t value, MPI_Comm comm)
+{
+   MPI_Allreduce(MPI_IN_PLACE, &value, 1,
+                 mfem::MPITypeMap<mfem::real_t>::mpi_type, MPI_MAX, comm);
+   return value;
+}
+
+inline mfem::real_t SumOverRanks(mfem::real_t value, MPI_Comm comm)
+{
+   MPI_Allreduce(MPI_IN_PLACE, &value, 1,
+                 mfem::MPITypeMap<mfem::real_t>::mpi_type, MPI_SUM, comm);
+   return value;
+}
+
+inline bool AnyRank(bool value, MPI_Comm comm)
+{
+   return MaxOverRanks(value ? 1.0 : 0.0, comm) > 0.5;
+}
+
+} // namespace synovia

@@ -1,0 +1,124 @@
+#include "io/field_output.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// -kappa grad p with the table's permeability.
+class RelativeFlux : public VectorCoefficient
+{
+public:
+   RelativeFlux(const ParGridFunction &pressure_,
+                const MaterialTable &materials_)
+      : VectorCoefficient(3), pressure(pressure_), materials(materials_)
+   {
+   }
+   void Eval(Vector &value, ElementTransformation &trans,
+             const IntegrationPoint &ip) override
+   {
+      trans.SetIntPoint(&ip);
+      pressure.GetGradient(trans, value);
+      value *= -materials.Get(trans.Attribute)
+                   .permeability->GetPermeability(trans, ip);
+   }
+
+private:
+   const ParGridFunction &pressure;
+   const MaterialTable &materials;
+};
+} // namespace
+
+/// The fields on the destination of one pair.
+class FieldOutput::Surface
+{
+public:
+   Surface(const std::string &directory, const ContactPair &pair_,
+           ParMesh &mesh, BiphasicSpaces &spaces)
+      : pair(pair_), surface(ParSubMesh::CreateFromBoundary(
+                        mesh, pair.DestinationBoundary())),
+        elements(1, 2), space(&surface, &elements),
+        parent(&spaces.Multiplier()), pressure(&space), gap(&space),
+        status(&space), output(directory, "contact_" + pair.Name(), surface, 1)
+   {
+      output.Register("contact_pressure", pressure);
+      output.Register("gap", gap);
+      output.Register("contact_status", status);
+   }
+
+   void Save(int cycle, real_t time)
+   {
+      Transfer(pair.Traction(), pressure);
+      pressure.Neg();
+      Transfer(pair.Gap(), gap);
+      Transfer(pair.Status(), status);
+      output.Save(cycle, time);
+   }
+
+private:
+   void Transfer(const Vector &true_dofs, ParGridFunction &field)
+   {
+      parent.SetFromTrueDofs(true_dofs);
+      surface.Transfer(parent, field);
+   }
+
+   const ContactPair &pair;
+   ParSubMesh surface;
+   H1_FECollection elements;
+   ParFiniteElementSpace space;
+   ParGridFunction parent;
+   ParGridFunction pressure;
+   ParGridFunction gap;
+   ParGridFunction status;
+   ParaViewOutput output;
+};
+
+FieldOutput::FieldOutput(const std::string &directory,
+                         BiphasicProblem &problem_, TimeStepper &stepper_)
+   : problem(problem_), stepper(stepper_),
+     stress(problem.Spaces().Displacement(), problem.Materials()),
+     flux_space(&problem.Mesh().Get(), problem.Spaces().Pressure().FEColl(), 3),
+     velocity(&problem.Spaces().Displacement()), flux(&flux_space),
+     bodies(directory + "/fields", "bodies", problem.Mesh().Get(),
+            std::max(1, problem.Spaces().Order()))
+{
+   bodies.Register("displacement", stepper.Displacement());
+   bodies.Register("velocity", velocity);
+   bodies.Register("fluid_pressure", stepper.Pressure());
+   bodies.Register("relative_flux", flux);
+   bodies.Register("total_stress", stress.Total());
+   bodies.Register("effective_stress", stress.Effective());
+   bodies.Register("principal_stress", stress.Principal());
+   for (const ContactPair *pair : problem.Operator().Pairs())
+   {
+      surfaces.push_back(std::make_unique<Surface>(
+         directory + "/fields", *pair, problem.Mesh().Get(), problem.Spaces()));
+   }
+}
+
+FieldOutput::~FieldOutput() = default;
+
+void FieldOutput::Update()
+{
+   stress.Update(stepper.Displacement(), stepper.Pressure());
+   velocity.SetFromTrueDofs(stepper.Velocity());
+   RelativeFlux coefficient(stepper.Pressure(), problem.Materials());
+   flux.ProjectDiscCoefficient(coefficient, GridFunction::ARITHMETIC);
+}
+
+void FieldOutput::Save()
+{
+   Update();
+   bodies.Save(cycle, stepper.Time());
+   for (const auto &surface : surfaces)
+   {
+      surface->Save(cycle, stepper.Time());
+   }
+   cycle++;
+}
+
+} // namespace synovia

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "io/paraview_output.hpp"
+#include "physics/stress_recovery.hpp"
+#include "solvers/time_stepper.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// The fields of a problem for ParaView, below <directory>/fields.
+///
+/// bodies: displacement, velocity, fluid_pressure, relative_flux, total_stress,
+/// effective_stress, principal_stress (total, largest first), region.
+/// contact_<pair>: contact_pressure, gap and contact_status on the destination.
+class FieldOutput
+{
+public:
+   /// Borrows @a problem and @a stepper. Collective. Throws Error if the
+   /// directory can't be written.
+   FieldOutput(const std::string &directory, BiphasicProblem &problem,
+               TimeStepper &stepper);
+   ~FieldOutput();
+
+   /// Brings the derived fields up to the stepper's state. Collective.
+   void Update();
+   /// Updates and writes. Collective.
+   void Save();
+
+   /// Nodal averages, as of the last Update().
+   StressRecovery &Stress() { return stress; }
+
+private:
+   class Surface;
+
+   BiphasicProblem &problem;
+   TimeStepper &stepper;
+   StressRecovery stress;
+   mfem::ParFiniteElementSpace flux_space;
+   mfem::ParGridFunction velocity;
+   mfem::ParGridFunction flux;
+   ParaViewOutput bodies;
+   std::vector<std::unique_ptr<Surface>> surfaces;
+   int cycle = 0;
+};
+
+} // namespace synovia

@@ -1,0 +1,196 @@
+#include "io/hdf5_columns.hpp"
+
+#include <hdf5.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace synovia
+{
+
+namespace
+{
+constexpr hsize_t rows_in_a_chunk = 512;
+constexpr std::size_t memory_increment = 1 << 16;
+
+herr_t KeepInnermost(unsigned, const H5E_error2_t *entry, void *text)
+{
+   // H5Ewalk() upwards visits the innermost, most telling, error first.
+   std::string &reason = *static_cast<std::string *>(text);
+   if (reason.empty() && entry->desc)
+   {
+      reason = entry->desc;
+   }
+   return 0;
+}
+
+/// Properties of an open file without locks: a run that is still writing can be
+/// looked at, and some parallel file systems have no locks.
+hid_t Unlocked()
+{
+   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+#if H5_VERSION_GE(1, 10, 7)
+   H5Pset_file_locking(access, false, true);
+#endif
+   return access;
+}
+
+/// Closes an identifier at the end of a scope.
+struct Guard
+{
+   hid_t id;
+   herr_t (*close)(hid_t);
+   ~Guard()
+   {
+      if (id >= 0)
+      {
+         close(id);
+      }
+   }
+};
+
+[[noreturn]] void Fail(const std::string &what, const std::string &path)
+{
+   std::string reason;
+   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, KeepInnermost, &reason);
+   throw std::runtime_error("cannot " + what + " '" + path + "'" +
+                            (reason.empty() ? "" : ": " + reason));
+}
+} // namespace
+
+Hdf5Columns::Hdf5Columns(const std::string &path_,
+                         const std::vector<std::string> &names)
+   : path(path_)
+{
+   static_assert(sizeof(hid_t) <= sizeof(std::int64_t), "hid_t is kept here");
+   // Errors are reported by exceptions, not on standard error.
+   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+   // In memory: HDF5 1.10 can't close a file that it could not write, on a full
+   // disk say, and crashes when the program ends.
+   const Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
+   H5Pset_fapl_core(access.id, memory_increment, false);
+   file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
+   if (file < 0)
+   {
+      Fail("create", path);
+   }
+   const hsize_t none = 0;
+   const hsize_t unlimited = H5S_UNLIMITED;
+   const Guard space{H5Screate_simple(1, &none, &unlimited), H5Sclose};
+   const Guard layout{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+   H5Pset_chunk(layout.id, 1, &rows_in_a_chunk);
+   for (const std::string &name : names)
+   {
+      columns.push_back(H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space.id,
+                                   H5P_DEFAULT, layout.id, H5P_DEFAULT));
+      if (columns.back() < 0)
+      {
+         columns.pop_back();
+         Fail("make the column '" + name + "' of", path);
+      }
+   }
+   Save();
+}
+
+Hdf5Columns::~Hdf5Columns()
+{
+   for (const std::int64_t column : columns)
+   {
+      H5Dclose(column);
+   }
+   if (file >= 0)
+   {
+      H5Fclose(file);
+   }
+}
+
+void Hdf5Columns::Append(const std::vector<double> &row)
+{
+   if (row.size() != columns.size())
+   {
+      throw std::logic_error("a row of " + std::to_string(row.size()) +
+                             " values for " + std::to_string(columns.size()) +
+                             " columns of '" + path + "'");
+   }
+   const hsize_t one = 1;
+   const hsize_t last = rows;
+   const hsize_t count = rows + 1;
+   const Guard memory{H5Screate_simple(1, &one, nullptr), H5Sclose};
+   for (std::size_t i = 0; i < columns.size(); i++)
+   {
+      if (H5Dset_extent(columns[i], &count) < 0)
+      {
+         Fail("extend", path);
+      }
+      const Guard space{H5Dget_space(columns[i]), H5Sclose};
+      if (H5Sselect_hyperslab(space.id, H5S_SELECT_SET, &last, nullptr, &one,
+                              nullptr) < 0 ||
+          H5Dwrite(columns[i], H5T_NATIVE_DOUBLE, memory.id, space.id,
+                   H5P_DEFAULT, &row[i]) < 0)
+      {
+         Fail("write", path);
+      }
+   }
+   rows = count;
+   Save();
+}
+
+void Hdf5Columns::Save() const
+{
+   const bool flushed = H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
+   const ssize_t size = flushed ? H5Fget_file_image(file, nullptr, 0) : -1;
+   std::vector<char> image(size > 0 ? size : 0);
+   if (size <= 0 || H5Fget_file_image(file, image.data(), size) != size)
+   {
+      Fail("make the contents of", path);
+   }
+   // The old file is there until the new one is whole.
+   const std::string fresh = path + ".new";
+   errno = 0;
+   std::ofstream out(fresh, std::ios::binary | std::ios::trunc);
+   out.write(image.data(), size);
+   out.close();
+   std::string reason = out ? "" : std::strerror(errno);
+   std::error_code error;
+   if (out)
+   {
+      std::filesystem::rename(fresh, path, error);
+      reason = error ? error.message() : "";
+   }
+   if (!reason.empty())
+   {
+      std::filesystem::remove(fresh, error);
+      throw std::runtime_error("cannot write '" + path + "': " + reason);
+   }
+}
+
+std::vector<double> ReadHdf5Column(const std::string &file,
+                                   const std::string &name)
+{
+   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+   const Guard access{Unlocked(), H5Pclose};
+   const Guard opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id),
+                      H5Fclose};
+   if (opened.id < 0)
+   {
+      Fail("open", file);
+   }
+   const Guard column{H5Dopen2(opened.id, name.c_str(), H5P_DEFAULT), H5Dclose};
+   if (column.id < 0)
+   {
+      Fail("find the column '" + name + "' of", file);
+   }
+   const Guard space{H5Dget_space(column.id), H5Sclose};
+   std::vector<double> values(H5Sget_simple_extent_npoints(space.id));
+   if (H5Dread(column.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+               values.data()) < 0)
+   {
+      Fail("read", file);
+   }
+   return values;
+}
+
+} // namespace synovia

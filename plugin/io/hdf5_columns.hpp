@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// An HDF5 file of columns of doubles, one extendible dataset each.
+///
+/// For one process. Errors are std::runtime_error with the name of the file and
+/// the reason.
+class Hdf5Columns
+{
+public:
+   /// Makes the file, replacing one that is there, with columns of no rows.
+   Hdf5Columns(const std::string &file, const std::vector<std::string> &names);
+   ~Hdf5Columns();
+   Hdf5Columns(const Hdf5Columns &) = delete;
+   Hdf5Columns &operator=(const Hdf5Columns &) = delete;
+
+   /// Adds a row, a value for each column, and writes the file anew, so that it
+   /// is whole at all times whatever happens to the process or the disk.
+   void Append(const std::vector<double> &row);
+
+private:
+   void Save() const;
+
+   std::string path;
+   std::int64_t file = -1; // hid_t, kept out of the header
+   std::vector<std::int64_t> columns;
+   std::uint64_t rows = 0;
+};
+
+/// Reads a column of such a file, closed or still being written.
+std::vector<double> ReadHdf5Column(const std::string &file,
+                                   const std::string &name);
+
+} // namespace synovia

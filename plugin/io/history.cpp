@@ -1,0 +1,260 @@
+#include "io/history.hpp"
+#include "general/error.hpp"
+#include "io/hdf5_columns.hpp"
+#include "io/output_directory.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+constexpr int digits = 15;
+
+std::vector<std::string> SplitAtCommas(const std::string &line)
+{
+   std::vector<std::string> parts;
+   std::istringstream stream(line);
+   for (std::string part; std::getline(stream, part, ',');)
+   {
+      parts.push_back(part);
+   }
+   return parts;
+}
+
+void CheckNames(const std::vector<std::string> &names)
+{
+   for (std::size_t i = 0; i < names.size(); i++)
+   {
+      if (names[i].empty() ||
+          names[i].find_first_of(",\"'/\\\n\r") != std::string::npos)
+      {
+         throw Error("'" + names[i] +
+                     "' cannot name a column of the history: it is empty or "
+                     "has a comma, a quote, a slash or a line break");
+      }
+      if (std::find(names.begin(), names.begin() + i, names[i]) !=
+          names.begin() + i)
+      {
+         throw Error("the history has two columns '" + names[i] + "'");
+      }
+   }
+}
+} // namespace
+
+/// The two files, on the one rank that writes.
+class History::Files
+{
+public:
+   explicit Files(const std::string &directory)
+      : csv_path(directory + "/history.csv"),
+        hdf5_path(directory + "/history.h5")
+   {
+   }
+
+   /// Writes the rows of the present files up to @a last anew.
+   int Keep(real_t last);
+   /// Removes files of an earlier run, which this one would contradict.
+   void Discard();
+   void Add(const Row &row);
+
+private:
+   void Open(const std::vector<std::string> &names_, const std::string &file);
+   void Write(const std::vector<double> &values);
+   [[noreturn]] void FailCsv() const;
+
+   std::string csv_path;
+   std::string hdf5_path;
+   std::vector<std::string> names;
+   std::ofstream csv;
+   std::unique_ptr<Hdf5Columns> hdf5;
+};
+
+void History::Files::FailCsv() const
+{
+   throw Error("cannot write '" + csv_path + "': " + std::strerror(errno));
+}
+
+void History::Files::Discard()
+{
+   std::filesystem::remove(csv_path);
+   std::filesystem::remove(hdf5_path);
+}
+
+void History::Files::Open(const std::vector<std::string> &names_,
+                          const std::string &file)
+{
+   CheckNames(names_);
+   names = names_;
+   errno = 0;
+   csv.open(file, std::ios::trunc);
+   for (std::size_t i = 0; i < names.size(); i++)
+   {
+      csv << (i ? "," : "") << names[i];
+   }
+   csv << std::setprecision(digits) << std::endl;
+   if (!csv)
+   {
+      FailCsv();
+   }
+   hdf5 = std::make_unique<Hdf5Columns>(hdf5_path, names);
+}
+
+void History::Files::Write(const std::vector<double> &values)
+{
+   // One write of a whole line: a reader never sees half of a number.
+   std::ostringstream line;
+   line << std::setprecision(digits);
+   for (std::size_t i = 0; i < values.size(); i++)
+   {
+      line << (i ? "," : "") << values[i];
+   }
+   errno = 0;
+   csv << line.str() + "\n" << std::flush;
+   if (!csv)
+   {
+      FailCsv();
+   }
+   hdf5->Append(values);
+}
+
+int History::Files::Keep(real_t last)
+{
+   std::ifstream old(csv_path);
+   std::string line;
+   if (!old || !std::getline(old, line))
+   {
+      throw Error("cannot read '" + csv_path + "', the history to continue");
+   }
+   const std::vector<std::string> old_names = SplitAtCommas(line);
+   const auto time = std::find(old_names.begin(), old_names.end(), "t");
+   if (time == old_names.end())
+   {
+      throw Error("'" + csv_path + "' has no column 't'");
+   }
+   const std::size_t t = time - old_names.begin();
+   const double limit = last + 1e-12 * std::abs(last);
+   std::vector<std::vector<double>> kept;
+   while (std::getline(old, line))
+   {
+      std::vector<double> values;
+      for (const std::string &part : SplitAtCommas(line))
+      {
+         values.push_back(std::strtod(part.c_str(), nullptr));
+      }
+      // The last line of a killed run may be cut short.
+      if (values.size() == old_names.size() && values[t] <= limit)
+      {
+         kept.push_back(values);
+      }
+   }
+   old.close();
+   // The old file is there until the new one is whole.
+   const std::string fresh = csv_path + ".new";
+   Open(old_names, fresh);
+   for (const std::vector<double> &values : kept)
+   {
+      Write(values);
+   }
+   std::filesystem::rename(fresh, csv_path);
+   return static_cast<int>(kept.size());
+}
+
+void History::Files::Add(const Row &row)
+{
+   std::vector<std::string> these;
+   std::vector<double> values;
+   for (const auto &[name, value] : row)
+   {
+      these.push_back(name);
+      values.push_back(value);
+   }
+   if (!hdf5)
+   {
+      Open(these, csv_path);
+   }
+   if (these != names)
+   {
+      const auto differs =
+         std::mismatch(these.begin(), these.end(), names.begin(), names.end());
+      throw Error("a row for '" + csv_path + "' has " +
+                  (differs.first == these.end() ? "no more columns"
+                                                : "'" + *differs.first + "'") +
+                  " where the history has " +
+                  (differs.second == names.end()
+                      ? "no more columns"
+                      : "'" + *differs.second + "'"));
+   }
+   Write(values);
+}
+
+namespace
+{
+/// Runs @a work and gives the text of what it throws.
+template <typename Work>
+std::string MessageOf(Work work)
+{
+   try
+   {
+      work();
+   }
+   catch (const std::exception &error)
+   {
+      return error.what();
+   }
+   return "";
+}
+} // namespace
+
+History::History(const std::string &directory, MPI_Comm comm_,
+                 std::optional<real_t> keep_until)
+   : comm(comm_)
+{
+   MPI_Comm_rank(comm, &rank);
+   MakeOutputDirectory(directory, comm);
+   std::string message;
+   if (rank == 0)
+   {
+      files = std::make_unique<Files>(directory);
+      message = MessageOf(
+         [&]()
+         {
+            if (keep_until)
+            {
+               rows = files->Keep(*keep_until);
+            }
+            else
+            {
+               files->Discard();
+            }
+         });
+   }
+   ThrowIfAny(comm, message);
+   MPI_Bcast(&rows, 1, MPI_INT, 0, comm);
+}
+
+History::~History() = default;
+
+void History::Add(const Row &row)
+{
+   std::string message;
+   if (rank == 0)
+   {
+      message = MessageOf([&]() { files->Add(row); });
+   }
+   ThrowIfAny(comm, message);
+   rows++;
+}
+
+} // namespace synovia

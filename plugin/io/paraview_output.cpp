@@ -1,0 +1,89 @@
+#include "io/paraview_output.hpp"
+#include "general/error.hpp"
+#include "io/output_directory.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// Whether a file ends like a whole VTK file. MFEM does not look at the state
+/// of its streams, and a full disk leaves files that ParaView can't read.
+bool IsWhole(const std::string &path)
+{
+   constexpr int tail = 32;
+   std::ifstream file(path, std::ios::binary | std::ios::ate);
+   const std::streamoff size = file ? std::streamoff(file.tellg()) : 0;
+   std::string end(
+      static_cast<std::size_t>(std::min<std::streamoff>(size, tail)), ' ');
+   file.seekg(size - static_cast<std::streamoff>(end.size()));
+   file.read(end.data(), static_cast<std::streamsize>(end.size()));
+   return file && end.find("</VTKFile>") != std::string::npos;
+}
+} // namespace
+
+/// MFEM's collection, which keeps the names of its files to itself.
+class ParaViewOutput::Collection : public ParaViewDataCollection
+{
+public:
+   using ParaViewDataCollection::ParaViewDataCollection;
+
+   /// What is wrong with the files of the last Save(), or nothing.
+   std::string Fault()
+   {
+      const std::string root = GenerateCollectionPath();
+      const std::string cycle_path = root + "/" + GenerateVTUPath() + "/";
+      std::vector<std::string> files = {cycle_path +
+                                        GenerateVTUFileName("proc", myid)};
+      if (myid == 0)
+      {
+         files.push_back(cycle_path + GeneratePVTUFileName("data"));
+         files.push_back(root + "/" + GeneratePVDFileName());
+      }
+      for (const std::string &file : files)
+      {
+         if (!IsWhole(file))
+         {
+            return "cannot write '" + file + "': it is missing or cut short";
+         }
+      }
+      return "";
+   }
+};
+
+ParaViewOutput::ParaViewOutput(const std::string &directory,
+                               const std::string &name, ParMesh &mesh,
+                               int order, bool append)
+   : comm(mesh.GetComm())
+{
+   MakeOutputDirectory(directory + "/" + name, comm);
+   collection = std::make_unique<Collection>(name, &mesh);
+   collection->SetPrefixPath(directory);
+   collection->SetLevelsOfDetail(std::max(1, order));
+   collection->SetHighOrderOutput(true);
+   collection->SetDataFormat(VTKFormat::BINARY);
+   collection->SetCompressionLevel(-1);
+   collection->UseRestartMode(append);
+}
+
+ParaViewOutput::~ParaViewOutput() = default;
+
+void ParaViewOutput::Register(const std::string &field, ParGridFunction &values)
+{
+   collection->RegisterField(field, &values);
+}
+
+void ParaViewOutput::Save(int cycle, real_t time)
+{
+   collection->SetCycle(cycle);
+   collection->SetTime(time);
+   collection->Save();
+   ThrowIfAny(comm, collection->Fault());
+}
+
+} // namespace synovia

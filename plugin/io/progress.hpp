@@ -1,0 +1,27 @@
+#pragma once
+
+#include "solvers/time_stepper.hpp"
+
+namespace synovia
+{
+
+/// Tells how a run gets on: one line that is kept up to date on a terminal,
+/// a line now and then in a log. Rank 0 writes to standard output.
+class Progress
+{
+public:
+   explicit Progress(MPI_Comm comm);
+
+   /// Call after each accepted step.
+   void Report(const StepReport &report, const TimeStepper &stepper);
+
+private:
+   bool writes;
+   bool terminal;
+   int step = 0;
+   int linear = 0;
+   double last_line = 0.0;
+   mfem::StopWatch watch;
+};
+
+} // namespace synovia

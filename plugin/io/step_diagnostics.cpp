@@ -1,0 +1,69 @@
+#include "io/step_diagnostics.hpp"
+#include "general/reduce.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+constexpr const char *axes[3] = {"x", "y", "z"};
+
+void AddPoint(History::Row &row, const std::string &name, const Point3 &value)
+{
+   for (int d = 0; d < 3; d++)
+   {
+      row.emplace_back(name + axes[d], value[d]);
+   }
+}
+
+void AddContact(History::Row &row, const ContactPair &pair)
+{
+   const std::string prefix = "contact." + pair.Name() + ".";
+   const ContactPair::Diagnostics now = pair.Diagnose();
+   const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
+   AddPoint(row, prefix + "force_", now.destination_force);
+   AddPoint(row, prefix + "source_force_", now.source_force);
+   row.emplace_back(prefix + "force_error", std::sqrt(Dot(sum, sum)));
+   row.emplace_back(prefix + "area", now.area);
+   row.emplace_back(prefix + "penetration", now.penetration);
+   row.emplace_back(prefix + "pressure_jump", now.pressure_jump);
+   row.emplace_back(prefix + "peak_traction", now.peak_traction);
+   row.emplace_back(prefix + "fluid_exchange", now.fluid_exchange);
+}
+} // namespace
+
+History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
+                             const StepReport &report)
+{
+   History::Row row{{"t", report.time}, {"dt", report.dt}};
+   for (const BiphasicProblem::Support &support : problem.Supports())
+   {
+      AddPoint(row, "reaction." + support.boundary + ".",
+               problem.Reaction(support));
+   }
+   BiphasicOperator &op = problem.Operator();
+   for (const ContactPair *pair : op.Pairs())
+   {
+      AddContact(row, *pair);
+   }
+   const Vector &pressure = stepper.State().GetBlock(1);
+   row.emplace_back("fluid.growth", op.Fluid().growth);
+   row.emplace_back("fluid.outflow", op.Fluid().outflow);
+   row.emplace_back("fluid.volume_balance", op.Fluid().error);
+   row.emplace_back(
+      "fluid.peak_pressure",
+      MaxOverRanks(pressure.Size() > 0 ? pressure.Normlinf() : 0.0,
+                   op.Spaces().GetComm()));
+   row.emplace_back("solver.newton", report.solve.newton);
+   row.emplace_back("solver.augmentations", report.solve.augmentations);
+   row.emplace_back("solver.linear", report.solve.linear);
+   row.emplace_back("solver.most_linear", report.solve.most_linear);
+   row.emplace_back("solver.seconds", report.seconds);
+   return row;
+}
+
+} // namespace synovia

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "io/history.hpp"
+#include "solvers/time_stepper.hpp"
+
+namespace synovia
+{
+
+/// One row of the history for the step just accepted:
+///
+///     t, dt
+///     reaction.<boundary>.x|y|z        force of the support on the body
+///     contact.<pair>.force_x|y|z       on the destination
+///     contact.<pair>.source_force_x|y|z, .force_error (both sides' sum)
+///     contact.<pair>.area, .penetration, .pressure_jump, .peak_traction,
+///     .fluid_exchange (volume / time, from source to destination)
+///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
+///     fluid.peak_pressure
+///     solver.newton, .augmentations, .linear, .most_linear, .seconds
+///
+/// Collective.
+History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
+                             const StepReport &report);
+
+} // namespace synovia

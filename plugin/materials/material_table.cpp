@@ -1,0 +1,41 @@
+#include "materials/material_table.hpp"
+#include "general/error.hpp"
+#include "general/text.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+void MaterialTable::Set(const Array<int> &attributes, const Material &material)
+{
+   MFEM_VERIFY(material.solid && material.permeability,
+               "a material needs a solid law and a permeability law");
+   if (!(material.solid_fraction > 0.0 && material.solid_fraction < 1.0))
+   {
+      throw Error("the solid fraction is " + ToText(material.solid_fraction) +
+                  "; it must lie between 0 and 1");
+   }
+   for (const int attribute : attributes)
+   {
+      if (static_cast<int>(by_attribute.size()) <= attribute)
+      {
+         by_attribute.resize(attribute + 1);
+      }
+      by_attribute[attribute] = material;
+   }
+}
+
+bool MaterialTable::Has(int attribute) const
+{
+   return attribute >= 0 && attribute < static_cast<int>(by_attribute.size()) &&
+          by_attribute[attribute].solid;
+}
+
+const Material &MaterialTable::Get(int attribute) const
+{
+   MFEM_VERIFY(Has(attribute), "no material for attribute " << attribute);
+   return by_attribute[attribute];
+}
+
+} // namespace synovia

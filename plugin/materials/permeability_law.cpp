@@ -1,0 +1,17 @@
+#include "materials/permeability_law.hpp"
+#include "general/error.hpp"
+#include "general/text.hpp"
+
+namespace synovia
+{
+
+ConstantPermeability::ConstantPermeability(mfem::real_t value_) : value(value_)
+{
+   if (!(value > 0.0))
+   {
+      throw Error("the permeability is " + ToText(value) +
+                  "; it must be positive");
+   }
+}
+
+} // namespace synovia

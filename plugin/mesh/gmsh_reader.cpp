@@ -1,0 +1,106 @@
+#include "general/error.hpp"
+#include "general/text.hpp"
+#include "mesh/flat_mesh.hpp"
+#include "mesh/gmsh_file.hpp"
+#include "mesh/named_mesh.hpp"
+#include "mesh/tangled_elements.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+
+std::string Check(const ReadOptions &options)
+{
+   if (!(std::isfinite(options.scale) && options.scale > 0.0))
+   {
+      return "the scale is " + ToText(options.scale) + "; it must be positive";
+   }
+   if (options.refine < 0)
+   {
+      return "the mesh cannot be refined " + std::to_string(options.refine) +
+             " times";
+   }
+   return "";
+}
+
+FlatMesh ReadOnRankZero(const std::string &file, MPI_Comm comm)
+{
+   int rank = 0;
+   MPI_Comm_rank(comm, &rank);
+   FlatMesh flat;
+   std::string message;
+   if (rank == 0)
+   {
+      try
+      {
+         flat = ReadGmshFile(file);
+      }
+      // The other ranks wait: whatever it is must reach them.
+      catch (const std::exception &error)
+      {
+         message = error.what();
+      }
+   }
+   ThrowIfAny(comm, message);
+   Broadcast(flat, comm);
+   return flat;
+}
+
+// The elements that this rank looks at: an equal share.
+std::vector<int> ShareOfElements(const Mesh &mesh, MPI_Comm comm)
+{
+   int rank = 0;
+   int ranks = 1;
+   MPI_Comm_rank(comm, &rank);
+   MPI_Comm_size(comm, &ranks);
+   std::vector<int> share;
+   for (int i = rank; i < mesh.GetNE(); i += ranks)
+   {
+      share.push_back(i);
+   }
+   return share;
+}
+
+NamedMesh Read(const std::string &file, MPI_Comm comm,
+               const ReadOptions &options)
+{
+   ThrowIfAny(comm, Check(options));
+   FlatMesh flat = ReadOnRankZero(file, comm);
+   for (double &x : flat.coordinates)
+   {
+      x *= options.scale;
+   }
+   Mesh serial = BuildMesh(flat);
+   // Here, and not only in DistributeMesh(), because of gmsh's numbers.
+   ThrowIfTangled(
+      comm, serial, ShareOfElements(serial, comm),
+      [&](int element) { return flat.element_numbers[element]; }, flat.regions);
+   for (int i = 0; i < options.refine; i++)
+   {
+      serial.UniformRefinement();
+   }
+   return DistributeMesh(serial, flat.regions, flat.boundaries, comm);
+}
+
+} // namespace
+
+NamedMesh ReadGmsh(const std::string &file, MPI_Comm comm,
+                   const ReadOptions &options)
+{
+   try
+   {
+      return Read(file, comm, options);
+   }
+   catch (const Error &error)
+   {
+      throw Error("mesh \"" + file + "\": " + error.what());
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "mesh/gmsh_element_types.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// An element of an MSH file.
+struct MshCell
+{
+   /// gmsh's type, and the numbers of the element and of its entity.
+   int type;
+   long long number;
+   int entity;
+   /// Where its nodes start in MshCells::nodes.
+   size_t first;
+   /// Place of its groups in MshCells::groups.
+   int groups;
+};
+
+/// The elements of one dimension.
+struct MshCells
+{
+   std::vector<MshCell> list;
+   /// Places of the nodes: node n is at MshContents::coordinates[3 n].
+   std::vector<int> nodes;
+   /// The sets of physical groups that there are, each ascending.
+   std::vector<std::vector<int>> groups;
+   /// All physical groups; one without a name has its tag as name.
+   std::map<int, std::string> names;
+};
+
+/// What is in an MSH file, before anything is made of it.
+struct MshContents
+{
+   /// x, y, z of all nodes.
+   std::vector<double> coordinates;
+   MshCells volumes;
+   MshCells surfaces;
+};
+
+/// Reads an MSH file of version 2 or 4.1, ascii or binary. Throws Error, whose
+/// text gives the place but not the name of the file, if it is no such file or
+/// damaged.
+///
+/// gmsh's own reader is of no use here: it trusts the counts and numbers in a
+/// file, so that damaged ones crash it, and in version 2 it takes the physical
+/// tags of all elements of an entity together, so that the regions get mixed up
+/// where another program has written one entity for all.
+MshContents ReadMsh(const std::string &path, GmshElementTypes &types);
+
+} // namespace synovia

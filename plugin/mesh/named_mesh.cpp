@@ -1,0 +1,159 @@
+#include "mesh/named_mesh.hpp"
+#include "general/error.hpp"
+#include "general/suggestion.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+
+// The number that a name is, or 0. Attributes start at 1.
+int AsNumber(const std::string &name)
+{
+   if (name.empty() || name.size() > 9 ||
+       name.find_first_not_of("0123456789") != std::string::npos)
+   {
+      return 0;
+   }
+   return std::stoi(name);
+}
+
+std::string Join(const std::vector<std::string> &words)
+{
+   std::string text;
+   for (const std::string &word : words)
+   {
+      text += (text.empty() ? "" : ", ") + word;
+   }
+   return text;
+}
+
+// Every name with attributes, then the numbers of attributes without a name.
+std::vector<std::string> Known(const NameTable &names,
+                               const Array<int> &present)
+{
+   std::vector<std::string> known;
+   std::vector<int> named;
+   for (const auto &entry : names)
+   {
+      if (!entry.second.empty())
+      {
+         known.push_back(entry.first);
+      }
+      named.insert(named.end(), entry.second.begin(), entry.second.end());
+   }
+   for (const int attribute : present)
+   {
+      if (std::find(named.begin(), named.end(), attribute) == named.end())
+      {
+         known.push_back(std::to_string(attribute));
+      }
+   }
+   return known;
+}
+
+// kind: what is looked for, in words.
+Array<int> Find(const std::string &kind, const std::string &name,
+                const NameTable &names, const Array<int> &present)
+{
+   const auto entry = names.find(name);
+   Array<int> attributes;
+   if (entry != names.end())
+   {
+      for (const int attribute : entry->second)
+      {
+         attributes.Append(attribute);
+      }
+   }
+   else if (present.Find(AsNumber(name)) >= 0)
+   {
+      attributes.Append(AsNumber(name));
+   }
+   if (!attributes.IsEmpty())
+   {
+      return attributes;
+   }
+   const std::vector<std::string> known = Known(names, present);
+   const std::string listed =
+      known.empty() ? "the mesh names none" : "there are: " + Join(known);
+   if (entry != names.end())
+   {
+      throw Error("the " + kind + " \"" + name + "\" is empty: none of its " +
+                  (kind == "boundary"
+                      ? "faces is on the outside of the mesh (bodies that "
+                        "touch need nodes of their own)"
+                      : "elements is in the mesh") +
+                  "; " + listed);
+   }
+   const std::string guess = Suggest(name, known);
+   throw Error("no " + kind + " is named \"" + name + "\"; " + listed +
+               (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+}
+
+void Normalise(NameTable &names)
+{
+   for (auto &entry : names)
+   {
+      std::vector<int> &list = entry.second;
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+   }
+}
+
+void EnterSets(const NameTable &names, AttributeSets &sets)
+{
+   for (const auto &entry : names)
+   {
+      Array<int> attributes;
+      for (const int attribute : entry.second)
+      {
+         attributes.Append(attribute);
+      }
+      sets.SetAttributeSet(entry.first, attributes);
+   }
+}
+
+} // namespace
+
+NamedMesh::NamedMesh(std::unique_ptr<ParMesh> mesh_, NameTable regions_,
+                     NameTable boundaries_)
+   : mesh(std::move(mesh_)), regions(std::move(regions_)),
+     boundaries(std::move(boundaries_))
+{
+   MFEM_VERIFY(mesh, "a named mesh needs a mesh");
+   Normalise(regions);
+   Normalise(boundaries);
+   EnterSets(regions, mesh->attribute_sets);
+   EnterSets(boundaries, mesh->bdr_attribute_sets);
+}
+
+Array<int> NamedMesh::Region(const std::string &name) const
+{
+   return Find("region", name, regions, mesh->attributes);
+}
+
+Array<int> NamedMesh::Boundary(const std::string &name) const
+{
+   return Find("boundary", name, boundaries, mesh->bdr_attributes);
+}
+
+std::string NameOf(const NameTable &names, int attribute)
+{
+   std::string text;
+   for (const auto &entry : names)
+   {
+      const std::vector<int> &list = entry.second;
+      if (std::find(list.begin(), list.end(), attribute) != list.end())
+      {
+         text += (text.empty() ? "" : "/") + entry.first;
+      }
+   }
+   return text.empty() ? std::to_string(attribute) : text;
+}
+
+} // namespace synovia

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include "mesh/named_mesh.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace synovia
+{
+
+/// Those of the @a elements whose Jacobian determinant is zero or negative at
+/// one of JacobianPoints(), in the order given.
+std::vector<int> TangledElements(mfem::Mesh &mesh,
+                                 const std::vector<int> &elements);
+
+/// Collective. Throws Error on all ranks if an element is tangled. Each rank
+/// looks at its own @a elements of @a mesh. The text gives the number of
+/// tangled elements and of the first one its number, by @a number_of, its
+/// region and its centre.
+void ThrowIfTangled(MPI_Comm comm, mfem::Mesh &mesh,
+                    const std::vector<int> &elements,
+                    const std::function<long long(int)> &number_of,
+                    const NameTable &regions);
+
+} // namespace synovia

@@ -1,0 +1,455 @@
+#include "physics/biphasic_operator.hpp"
+#include "general/reduce.hpp"
+#include "general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// Adds the time that it lives to a counter.
+class PhaseTimer
+{
+public:
+   explicit PhaseTimer(real_t &counter_) : counter(counter_) { watch.Start(); }
+   ~PhaseTimer() { counter += watch.RealTime(); }
+   PhaseTimer(const PhaseTimer &) = delete;
+   PhaseTimer &operator=(const PhaseTimer &) = delete;
+
+private:
+   real_t &counter;
+   StopWatch watch;
+};
+
+VolumeMatrices AssembleTimed(real_t &counter, BiphasicSpaces &spaces,
+                             const MaterialTable &materials)
+{
+   const PhaseTimer timer(counter);
+   return VolumeMatrices(spaces, materials);
+}
+} // namespace
+
+BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
+                                   const MaterialTable &materials,
+                                   BoundaryConditions &conditions_,
+                                   std::vector<ContactPair *> pairs_,
+                                   const NonlinearOptions &options_)
+   : TimeDependentOperator(spaces_.Offsets().Last(), 0.0, IMPLICIT),
+     spaces(spaces_), conditions(conditions_), pairs(std::move(pairs_)),
+     const_pairs(pairs.begin(), pairs.end()), options(options_),
+     matrices(AssembleTimed(times.assembly, spaces, materials)), rate(height),
+     accepted_rate(height), support(spaces.Offsets()[1])
+{
+   const PhaseTimer timer(times.assembly);
+   rate = 0.0;
+   accepted_rate = 0.0;
+   support = 0.0;
+   jacobian = std::make_unique<BiphasicJacobian>(
+      matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs);
+   linear =
+      std::make_unique<BiphasicLinearSolver>(*jacobian, spaces, options.linear);
+   for (const ContactPair *pair : pairs)
+   {
+      contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
+      contact_pressure_dofs.Append(pair->Destination().PressureTrueDofs());
+   }
+   contact_pressure_dofs.Sort();
+   contact_pressure_dofs.Unique();
+   if (&spaces.Multiplier() != &spaces.Pressure())
+   {
+      vertex_interpolation = std::make_unique<ParDiscreteLinearOperator>(
+         &spaces.Multiplier(), &spaces.Pressure());
+      vertex_interpolation->AddDomainInterpolator(new IdentityInterpolator);
+      vertex_interpolation->Assemble();
+      vertex_interpolation->Finalize();
+      vertices_to_pressure.reset(vertex_interpolation->ParallelAssemble());
+   }
+}
+
+void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
+                                     Vector &k)
+{
+   const Array<int> &offsets = spaces.Offsets();
+   const int nu = offsets[1];
+   const int np = offsets[2] - nu;
+   k.SetSize(height);
+   if (!report.converged)
+   {
+      // An earlier stage of the step failed: there is nothing to go on from.
+      k = 0.0;
+      return;
+   }
+   Stage stage;
+   stage.dt = dt;
+   stage.time = GetTime();
+   stage.u0.SetSize(nu);
+   stage.p0.SetSize(np);
+   for (int i = 0; i < nu; i++)
+   {
+      stage.u0[i] = x[i];
+   }
+   for (int i = 0; i < np; i++)
+   {
+      stage.p0[i] = x[nu + i];
+   }
+   SolveStage(stage);
+   for (int i = 0; i < nu; i++)
+   {
+      k[i] = (stage.u[i] - stage.u0[i]) / dt;
+   }
+   for (int i = 0; i < np; i++)
+   {
+      k[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
+   }
+   rate = k;
+   RecordBalance(stage);
+}
+
+void BiphasicOperator::AcceptStep()
+{
+   accepted_rate = rate;
+   for (ContactPair *pair : pairs)
+   {
+      pair->Accept();
+   }
+}
+
+void BiphasicOperator::RejectStep()
+{
+   rate = accepted_rate;
+   for (ContactPair *pair : pairs)
+   {
+      pair->Restore();
+   }
+}
+
+bool BiphasicOperator::Fail(const std::string &reason)
+{
+   report.converged = false;
+   report.reason = reason;
+   return false;
+}
+
+void BiphasicOperator::Search(const Stage &stage)
+{
+   const PhaseTimer timer(times.search);
+   bool moved = false;
+   for (ContactPair *pair : pairs)
+   {
+      moved = pair->Search(stage.u) || moved;
+   }
+   if (moved)
+   {
+      linear->ContactMoved();
+      report.searches++;
+   }
+}
+
+bool BiphasicOperator::UpdateContact(Stage &stage, bool keep_seals)
+{
+   bool changed = false;
+   for (ContactPair *pair : pairs)
+   {
+      pair->Evaluate(stage.u, stage.p);
+      changed = pair->UpdateActiveSet(keep_seals) || changed;
+   }
+   if (changed)
+   {
+      Drain(stage);
+   }
+   return changed;
+}
+
+void BiphasicOperator::Drain(Stage &stage)
+{
+   Array<int> drained(conditions.PressureDofs());
+   if (!pairs.empty())
+   {
+      Vector sealed(spaces.Multiplier().GetTrueVSize());
+      sealed = 0.0;
+      for (const ContactPair *pair : pairs)
+      {
+         const Vector by_pair = pair->SealedVertices();
+         for (int i = 0; i < sealed.Size(); i++)
+         {
+            sealed[i] = std::max(sealed[i], by_pair[i]);
+         }
+      }
+      Vector sealed_pressure(stage.p.Size());
+      if (vertices_to_pressure)
+      {
+         vertices_to_pressure->Mult(sealed, sealed_pressure);
+      }
+      else
+      {
+         sealed_pressure = sealed;
+      }
+      for (const int dof : contact_pressure_dofs)
+      {
+         // A dof between vertices is sealed where all of them are.
+         if (sealed_pressure[dof] < 1.0 - 1e-8 &&
+             conditions.PressureDofs().FindSorted(dof) < 0)
+         {
+            drained.Append(dof);
+            stage.p[dof] = 0.0;
+         }
+      }
+      drained.Sort();
+   }
+   jacobian->SetPressureDofs(drained);
+}
+
+void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
+                                        Vector &mass) const
+{
+   Vector increment(stage.u);
+   increment -= stage.u0;
+   momentum.SetSize(stage.u.Size());
+   mass.SetSize(stage.p.Size());
+
+   Vector loads(stage.momentum_load);
+   Vector exchange(stage.p.Size());
+   exchange = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddForces(loads, exchange);
+   }
+   matrices.stiffness->Mult(stage.u, momentum);
+   matrices.divergence_transpose->Mult(-1.0, stage.p, 1.0, momentum);
+   momentum -= loads;
+
+   matrices.divergence->Mult(increment, mass);
+   matrices.darcy->Mult(stage.dt, stage.p, 1.0, mass);
+   if (matrices.stabilisation)
+   {
+      Vector pressure_increment(stage.p);
+      pressure_increment -= stage.p0;
+      matrices.stabilisation->Mult(1.0, pressure_increment, 1.0, mass);
+   }
+   mass.Add(stage.dt, exchange);
+   mass.Add(-stage.dt, stage.mass_load);
+}
+
+void BiphasicOperator::ComputeResidual(const Stage &stage,
+                                       BlockVector &residual) const
+{
+   ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
+   residual.GetBlock(0).Neg();
+   residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
+   residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
+}
+
+ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
+{
+   // How much of one equation's change counts as change of the other, which may
+   // have none of its own.
+   constexpr real_t coupled = 1e-2;
+   // Part of the fluid exchanged in the step that may get lost.
+   constexpr real_t lost = 1e-7;
+   constexpr real_t round_off = 1e-15;
+   MPI_Comm comm = spaces.GetComm();
+   const auto norm = [comm](const Vector &x)
+   { return std::sqrt(InnerProduct(comm, x, x)); };
+
+   // What the step would leave unbalanced if nothing moved but the supports.
+   Stage still(stage);
+   still.u = stage.u0;
+   still.p = stage.p0;
+   conditions.SetDisplacement(stage.time, still.u);
+   conditions.SetPressure(stage.time, still.p);
+   BlockVector residual(spaces.Offsets());
+   ComputeResidual(still, residual);
+   const real_t scale = linear->ForcePerVolume();
+   const real_t own_force = norm(residual.GetBlock(0));
+   const real_t own_volume = norm(residual.GetBlock(1));
+   const real_t force = std::max(own_force, coupled * scale * own_volume);
+   const real_t volume = std::max(own_volume, coupled * own_force / scale);
+
+   Vector momentum;
+   Vector mass;
+   ComputeImbalance(still, momentum, mass);
+   Vector exchange(mass.Size());
+   exchange = 0.0;
+   for (const int dof : jacobian->PressureDofs())
+   {
+      exchange[dof] = mass[dof];
+   }
+
+   // Magnitudes of the terms that cancel.
+   Vector u(stage.u);
+   Vector p(stage.p);
+   u.Abs();
+   p.Abs();
+   momentum = 0.0;
+   mass = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddMagnitudes(u, p, momentum, mass);
+   }
+   mass *= stage.dt;
+   matrices.stiffness->AbsMult(1.0, u, 1.0, momentum);
+   matrices.divergence->AbsMult(1.0, u, 1.0, mass);
+   matrices.darcy->AbsMult(stage.dt, p, 1.0, mass);
+   const real_t relative = options.linear.relative_tolerance;
+   const real_t most = relative * volume;
+   ResidualTolerance tolerance;
+   tolerance.momentum = std::max(relative * force, round_off * norm(momentum));
+   // Where nothing flows yet, the exchange says nothing.
+   const real_t exchanged = norm(exchange);
+   tolerance.mass = exchanged > 0.0
+                       ? std::clamp(lost * exchanged, coupled * most, most)
+                       : most;
+   tolerance.mass = std::max(tolerance.mass, round_off * norm(mass));
+   // A body at rest without loads has nothing to be relative to.
+   constexpr real_t tiny = std::numeric_limits<real_t>::min();
+   tolerance.momentum = std::max(tolerance.momentum, tiny);
+   tolerance.mass = std::max(tolerance.mass, tiny);
+   return tolerance;
+}
+
+bool BiphasicOperator::SolveStage(Stage &stage)
+{
+   const int nu = stage.u0.Size();
+   stage.u = stage.u0;
+   stage.p = stage.p0;
+   for (int i = 0; i < nu; i++)
+   {
+      stage.u[i] += stage.dt * rate[i];
+   }
+   for (int i = 0; i < stage.p.Size(); i++)
+   {
+      stage.p[i] += stage.dt * rate[nu + i];
+   }
+   conditions.SetDisplacement(stage.time, stage.u);
+   conditions.SetPressure(stage.time, stage.p);
+   conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
+   jacobian->SetTimeStep(stage.dt);
+
+   Search(stage);
+   for (ContactPair *pair : pairs)
+   {
+      pair->Predict(stage.time);
+      pair->Evaluate(stage.u, stage.p);
+      if (!started)
+      {
+         pair->AssumeTouching();
+      }
+      pair->UpdateActiveSet();
+   }
+   started = true;
+   Drain(stage);
+   const ResidualTolerance tolerance = Tolerance(stage);
+   for (int augmentation = 0;; augmentation++)
+   {
+      if (!SolveContact(stage, tolerance))
+      {
+         return false;
+      }
+      const real_t peak = MaxOverRanks(
+         stage.p.Size() > 0 ? stage.p.Normlinf() : 0.0, spaces.GetComm());
+      bool done = true;
+      for (ContactPair *pair : pairs)
+      {
+         done = pair->Converged(peak) && done;
+      }
+      if (done)
+      {
+         break;
+      }
+      if (augmentation == options.max_augmentations)
+      {
+         std::string left;
+         for (const ContactPair *pair : pairs)
+         {
+            const ContactPair::Diagnostics now = pair->Diagnose();
+            left += "; " + pair->Name() + ": gap " + ToText(now.penetration) +
+                    " (tolerance " + ToText(pair->GapTolerance()) +
+                    "), pressure jump " + ToText(now.pressure_jump) +
+                    " (peak pressure " + ToText(peak) + ")";
+         }
+         return Fail("gap or pressure jump out of tolerance after " +
+                     std::to_string(augmentation) + " augmentations" + left);
+      }
+      for (ContactPair *pair : pairs)
+      {
+         pair->Augment();
+      }
+      UpdateContact(stage, false);
+      report.augmentations++;
+   }
+   for (ContactPair *pair : pairs)
+   {
+      pair->Store(stage.time);
+   }
+   return true;
+}
+
+bool BiphasicOperator::SolveContact(Stage &stage,
+                                    const ResidualTolerance &tolerance)
+{
+   BlockVector residual(spaces.Offsets());
+   BlockVector step(spaces.Offsets());
+   // Seals that switch back and forth with the contact would go on for ever;
+   // after so many iterations they only close.
+   constexpr int free_seals = 6;
+   for (int iteration = 0; iteration < options.max_newton; iteration++)
+   {
+      ComputeResidual(stage, residual);
+      const real_t norm = linear->Norm(residual, tolerance);
+      if (norm <= 1.0)
+      {
+         return true;
+      }
+      // What decides the active set need not be exact; a settled set is
+      // solved to the end.
+      const real_t target =
+         pairs.empty() ? 1.0
+                       : std::max(1.0, options.active_set_tolerance * norm);
+      {
+         const PhaseTimer timer(times.linear);
+         const BiphasicLinearSolver::Result result =
+            linear->Solve(residual, step, tolerance, target);
+         report.newton++;
+         report.linear += result.iterations;
+         report.most_linear = std::max(report.most_linear, result.iterations);
+         if (!result.converged)
+         {
+            return Fail("the linear solver did not converge in " +
+                        std::to_string(result.iterations) + " iterations");
+         }
+      }
+      stage.u += step.GetBlock(0);
+      stage.p += step.GetBlock(1);
+      UpdateContact(stage, iteration >= free_seals);
+   }
+   return Fail("the contact's active set did not settle in " +
+               std::to_string(options.max_newton) + " iterations");
+}
+
+void BiphasicOperator::RecordBalance(const Stage &stage)
+{
+   Vector mass;
+   ComputeImbalance(stage, support, mass);
+   Vector increment(stage.u);
+   increment -= stage.u0;
+   Vector growth(mass.Size());
+   matrices.divergence->Mult(increment, growth);
+   real_t drained = 0.0;
+   for (const int dof : jacobian->PressureDofs())
+   {
+      drained += mass[dof];
+   }
+   MPI_Comm comm = spaces.GetComm();
+   const real_t sources = SumOverRanks(stage.mass_load.Sum(), comm);
+   fluid.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
+   fluid.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
+   fluid.error = fluid.growth + fluid.outflow;
+}
+
+} // namespace synovia

@@ -1,0 +1,156 @@
+#pragma once
+
+#include "contact/contact_pair.hpp"
+#include "physics/boundary_conditions.hpp"
+#include "physics/volume_matrices.hpp"
+#include "solvers/biphasic_linear_solver.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+struct NonlinearOptions
+{
+   /// Newton iterations for one set of multipliers.
+   int max_newton = 30;
+   int max_augmentations = 30;
+   /// Relative accuracy of a linear solve that suffices to see whether the
+   /// active set changes; a set that doesn't is then solved to the end. 0
+   /// solves every system to the end at once.
+   mfem::real_t active_set_tolerance = 1e-4;
+   LinearOptions linear;
+};
+
+/// What it took to solve the stages since the last BeginStep().
+struct SolveReport
+{
+   bool converged = true;
+   /// Why not, if not.
+   std::string reason;
+   int newton = 0;
+   int augmentations = 0;
+   int linear = 0;
+   /// The most that one linear system took.
+   int most_linear = 0;
+   int searches = 0;
+};
+
+/// Where the time goes, in seconds of this rank since the start.
+struct PhaseTimes
+{
+   mfem::real_t assembly = 0.0;
+   mfem::real_t search = 0.0;
+   mfem::real_t linear = 0.0;
+};
+
+/// All bodies of a biphasic problem with their contact, as an MFEM ODE.
+///
+/// The state is x = (u, p), true dofs of displacement and pressure; its rate is
+/// k = (v, dp/dt). ImplicitSolve() finds k such that u + dt v and p + dt dp/dt
+/// satisfy momentum balance, mass balance with the solid velocity v, boundary
+/// conditions, and contact at the time of the stage. The pressure is algebraic
+/// (except for the stabilisation), so a scheme should be stiffly accurate, as
+/// BackwardEulerSolver and SDIRK33Solver are.
+///
+/// One step is: BeginStep(), ODESolver::Step(), and then either AcceptStep()
+/// or, if Report().converged is false, RejectStep() together with the old
+/// state.
+class BiphasicOperator : public mfem::TimeDependentOperator
+{
+public:
+   /// Assembles the bodies' matrices. Borrows all arguments; their boundary
+   /// conditions must be complete. Collective.
+   BiphasicOperator(BiphasicSpaces &spaces, const MaterialTable &materials,
+                    BoundaryConditions &conditions,
+                    std::vector<ContactPair *> pairs,
+                    const NonlinearOptions &options);
+
+   void ImplicitSolve(const mfem::real_t dt, const mfem::Vector &x,
+                      mfem::Vector &k) override;
+
+   void BeginStep() { report = SolveReport(); }
+   void AcceptStep();
+   void RejectStep();
+   const SolveReport &Report() const { return report; }
+   const PhaseTimes &Times() const { return times; }
+
+   BiphasicSpaces &Spaces() { return spaces; }
+   BoundaryConditions &Conditions() { return conditions; }
+   const std::vector<ContactPair *> &Pairs() const { return pairs; }
+   const VolumeMatrices &Volume() const { return matrices; }
+   const BiphasicLinearSolver &LinearSolver() const { return *linear; }
+
+   /// Forces that hold the last stage in balance: at prescribed dofs the force
+   /// that the support exerts on the body, elsewhere the remaining error.
+   const mfem::Vector &SupportForces() const { return support; }
+
+   /// Fluid of the last stage, volume / time.
+   struct FluidBalance
+   {
+      /// Growth of the bodies' volume.
+      mfem::real_t growth = 0.0;
+      /// Outflow through drained and prescribed boundaries.
+      mfem::real_t outflow = 0.0;
+      /// What is missing: growth + outflow - sources.
+      mfem::real_t error = 0.0;
+   };
+   const FluidBalance &Fluid() const { return fluid; }
+
+   /// True dofs of the pressure that were held at the last stage, ascending:
+   /// prescribed or free-draining.
+   const mfem::Array<int> &DrainedDofs() const
+   {
+      return jacobian->PressureDofs();
+   }
+
+private:
+   /// One implicit stage from the state (u0, p0).
+   struct Stage
+   {
+      mfem::real_t dt = 0.0;
+      mfem::real_t time = 0.0;
+      mfem::Vector u0;
+      mfem::Vector p0;
+      mfem::Vector u;
+      mfem::Vector p;
+      mfem::Vector momentum_load;
+      mfem::Vector mass_load;
+   };
+
+   bool SolveStage(Stage &stage);
+   bool SolveContact(Stage &stage, const ResidualTolerance &tolerance);
+   void Search(const Stage &stage);
+   bool UpdateContact(Stage &stage, bool keep_seals);
+   void Drain(Stage &stage);
+   void ComputeImbalance(const Stage &stage, mfem::Vector &momentum,
+                         mfem::Vector &mass) const;
+   void ComputeResidual(const Stage &stage, mfem::BlockVector &residual) const;
+   ResidualTolerance Tolerance(const Stage &stage) const;
+   bool Fail(const std::string &reason);
+   void RecordBalance(const Stage &stage);
+
+   BiphasicSpaces &spaces;
+   BoundaryConditions &conditions;
+   std::vector<ContactPair *> pairs;
+   ContactPairs const_pairs;
+   NonlinearOptions options;
+   PhaseTimes times;
+   VolumeMatrices matrices;
+   std::unique_ptr<BiphasicJacobian> jacobian;
+   std::unique_ptr<BiphasicLinearSolver> linear;
+   /// From vertices to pressure dofs, where these are not the vertices.
+   std::unique_ptr<mfem::ParDiscreteLinearOperator> vertex_interpolation;
+   std::unique_ptr<mfem::HypreParMatrix> vertices_to_pressure;
+   mfem::Array<int> contact_pressure_dofs;
+   mfem::Vector rate;
+   mfem::Vector accepted_rate;
+   bool started = false;
+   SolveReport report;
+   mfem::Vector support;
+   FluidBalance fluid;
+};
+
+} // namespace synovia

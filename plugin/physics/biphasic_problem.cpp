@@ -1,0 +1,181 @@
+#include "physics/biphasic_problem.hpp"
+#include "general/error.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
+   : mesh(mesh_), spaces(mesh.Get(), options.order),
+     conditions(std::make_unique<BoundaryConditions>(spaces))
+{
+}
+
+void BiphasicProblem::VerifyOpen() const
+{
+   MFEM_VERIFY(!op, "the problem has been assembled; set it up before");
+}
+
+void BiphasicProblem::SetMaterial(const std::string &region,
+                                  const SolidLaw &solid,
+                                  const PermeabilityLaw &permeability,
+                                  real_t solid_fraction)
+{
+   VerifyOpen();
+   materials.Set(mesh.Region(region), {&solid, &permeability, solid_fraction});
+}
+
+BiphasicProblem::Support &
+BiphasicProblem::SupportOf(const std::string &boundary)
+{
+   for (Support &support : supports)
+   {
+      if (support.boundary == boundary)
+      {
+         return support;
+      }
+   }
+   supports.emplace_back();
+   supports.back().boundary = boundary;
+   return supports.back();
+}
+
+void BiphasicProblem::FixDisplacement(const std::string &boundary)
+{
+   for (int d = 0; d < 3; d++)
+   {
+      PrescribeDisplacement(boundary, d, 0.0);
+   }
+}
+
+void BiphasicProblem::PrescribeDisplacement(const std::string &boundary,
+                                            int component,
+                                            const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->PrescribeDisplacement(mesh.Boundary(boundary), component, value);
+   SupportOf(boundary).components[component] = true;
+}
+
+void BiphasicProblem::PrescribePressure(const std::string &boundary,
+                                        const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->PrescribePressure(mesh.Boundary(boundary), value);
+}
+
+void BiphasicProblem::AddTraction(const std::string &boundary,
+                                  const Vector &direction,
+                                  const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->AddTraction(mesh.Boundary(boundary), direction, value);
+}
+
+void BiphasicProblem::AddNormalTraction(const std::string &boundary,
+                                        const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->AddNormalTraction(mesh.Boundary(boundary), value);
+}
+
+void BiphasicProblem::AddNormalFlux(const std::string &boundary,
+                                    const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->AddNormalFlux(mesh.Boundary(boundary), value);
+}
+
+void BiphasicProblem::AddContact(const std::string &source,
+                                 const std::string &destination,
+                                 const ContactOptions &options,
+                                 const std::string &name)
+{
+   VerifyOpen();
+   // Unknown names are the caller's to hear about now.
+   mesh.Boundary(source);
+   mesh.Boundary(destination);
+   pair_setups.push_back({source, destination, options,
+                          name.empty() ? source + "-" + destination : name});
+}
+
+void BiphasicProblem::SetNonlinearOptions(const NonlinearOptions &options)
+{
+   VerifyOpen();
+   nonlinear = options;
+}
+
+void BiphasicProblem::VerifyMaterials() const
+{
+   std::string missing;
+   for (const int attribute : mesh.Get().attributes)
+   {
+      if (materials.Has(attribute))
+      {
+         continue;
+      }
+      std::string name = std::to_string(attribute);
+      for (const auto &[region, attributes] : mesh.Regions())
+      {
+         if (std::find(attributes.begin(), attributes.end(), attribute) !=
+             attributes.end())
+         {
+            name = "\"" + region + "\"";
+         }
+      }
+      missing += (missing.empty() ? "" : ", ") + name;
+   }
+   if (!missing.empty())
+   {
+      throw Error("no material is set for: " + missing);
+   }
+}
+
+BiphasicOperator &BiphasicProblem::Operator()
+{
+   if (!op)
+   {
+      VerifyMaterials();
+      std::vector<ContactPair *> borrowed;
+      for (const PairSetup &setup : pair_setups)
+      {
+         pairs.push_back(std::make_unique<ContactPair>(
+            setup.name, spaces, materials, mesh.Boundary(setup.source),
+            mesh.Boundary(setup.destination), setup.options));
+         borrowed.push_back(pairs.back().get());
+      }
+      op = std::make_unique<BiphasicOperator>(spaces, materials, *conditions,
+                                              borrowed, nonlinear);
+   }
+   return *op;
+}
+
+Point3 BiphasicProblem::Reaction(const Support &support)
+{
+   const Vector &forces = Operator().SupportForces();
+   Array<int> marker(mesh.Get().bdr_attributes.Max());
+   marker = 0;
+   for (const int attribute : mesh.Boundary(support.boundary))
+   {
+      marker[attribute - 1] = 1;
+   }
+   Point3 reaction{{0.0, 0.0, 0.0}};
+   for (int d = 0; d < 3; d++)
+   {
+      if (support.components[d])
+      {
+         Array<int> dofs;
+         spaces.Displacement().GetEssentialTrueDofs(marker, dofs, d);
+         for (const int dof : dofs)
+         {
+            reaction[d] += forces[dof];
+         }
+      }
+   }
+   MPI_Allreduce(MPI_IN_PLACE, reaction.data(), 3, MPITypeMap<real_t>::mpi_type,
+                 MPI_SUM, mesh.GetComm());
+   return reaction;
+}
+
+} // namespace synovia

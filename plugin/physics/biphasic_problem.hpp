@@ -1,0 +1,107 @@
+#pragma once
+
+#include "mesh/named_mesh.hpp"
+#include "physics/biphasic_operator.hpp"
+
+#include <array>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+struct SpaceOptions
+{
+   /// Order of the displacement; 1 is stabilised equal order.
+   int order = 2;
+};
+
+/// A biphasic problem by names: bodies, materials, boundary conditions,
+/// contact.
+///
+/// Units are the caller's own consistent set. Set everything, then call
+/// Operator() or hand the problem to a TimeStepper; from then on nothing can be
+/// set any more. Members that take a name throw Error if there is no such name.
+/// All members are collective.
+class BiphasicProblem
+{
+public:
+   /// Borrows @a mesh.
+   BiphasicProblem(NamedMesh &mesh, const SpaceOptions &options);
+
+   /// Borrows the laws. A later call replaces an earlier one.
+   void SetMaterial(const std::string &region, const SolidLaw &solid,
+                    const PermeabilityLaw &permeability,
+                    mfem::real_t solid_fraction = 0.2);
+
+   /// All components zero.
+   void FixDisplacement(const std::string &boundary);
+   /// One component (0, 1, 2) in time (length).
+   void PrescribeDisplacement(const std::string &boundary, int component,
+                              const LoadCurve &value);
+   /// Fluid pressure, positive in compression (stress).
+   void PrescribePressure(const std::string &boundary, const LoadCurve &value);
+   /// Total traction: direction x value (stress).
+   void AddTraction(const std::string &boundary, const mfem::Vector &direction,
+                    const LoadCurve &value);
+   /// Total traction along the outward normal, positive in tension (stress).
+   void AddNormalTraction(const std::string &boundary, const LoadCurve &value);
+   /// Outward relative flux (length / time).
+   void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
+
+   /// Lets two boundaries touch. Boundaries of contact pairs drain freely where
+   /// no pair seals them.
+   void AddContact(const std::string &source, const std::string &destination,
+                   const ContactOptions &options = ContactOptions(),
+                   const std::string &name = "");
+
+   void SetNonlinearOptions(const NonlinearOptions &options);
+
+   /// For conditions that have no name here, such as coefficients.
+   BoundaryConditions &Conditions() { return *conditions; }
+
+   NamedMesh &Mesh() { return mesh; }
+   BiphasicSpaces &Spaces() { return spaces; }
+   const MaterialTable &Materials() const { return materials; }
+
+   /// Assembled at the first call. Throws Error if a region has no material.
+   BiphasicOperator &Operator();
+
+   /// Boundaries with prescribed displacements, and which components are.
+   struct Support
+   {
+      std::string boundary;
+      std::array<bool, 3> components{{false, false, false}};
+   };
+   const std::vector<Support> &Supports() const { return supports; }
+
+   /// Force that a support exerts on the body in its prescribed components, at
+   /// the last stage. A dof of two supports counts in both.
+   Point3 Reaction(const Support &support);
+
+private:
+   Support &SupportOf(const std::string &boundary);
+   void VerifyOpen() const;
+   void VerifyMaterials() const;
+
+   NamedMesh &mesh;
+   BiphasicSpaces spaces;
+   MaterialTable materials;
+   std::unique_ptr<BoundaryConditions> conditions;
+   std::vector<std::unique_ptr<ContactPair>> pairs;
+   struct PairSetup
+   {
+      std::string source;
+      std::string destination;
+      ContactOptions options;
+      std::string name;
+   };
+   std::vector<PairSetup> pair_setups;
+   NonlinearOptions nonlinear;
+   std::vector<Support> supports;
+   std::unique_ptr<BiphasicOperator> op;
+};
+
+} // namespace synovia

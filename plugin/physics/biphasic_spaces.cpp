@@ -1,0 +1,45 @@
+#include "physics/biphasic_spaces.hpp"
+#include "general/error.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+int CheckedOrder(int order)
+{
+   if (order < 1)
+   {
+      throw Error("the order of the displacement is " + std::to_string(order) +
+                  "; it must be 1 (stabilised) or more");
+   }
+   return order;
+}
+} // namespace
+
+BiphasicSpaces::BiphasicSpaces(ParMesh &mesh, int order_)
+   : order(CheckedOrder(order_)), displacement_elements(order, 3),
+     pressure_elements(std::max(1, order - 1), 3), multiplier_elements(1, 3)
+{
+   displacement = std::make_unique<ParFiniteElementSpace>(
+      &mesh, &displacement_elements, 3, Ordering::byVDIM);
+   pressure =
+      std::make_unique<ParFiniteElementSpace>(&mesh, &pressure_elements);
+   multiplier = pressure.get();
+   if (pressure_elements.GetOrder() > 1)
+   {
+      own_multiplier =
+         std::make_unique<ParFiniteElementSpace>(&mesh, &multiplier_elements);
+      multiplier = own_multiplier.get();
+   }
+   offsets.SetSize(3);
+   offsets[0] = 0;
+   offsets[1] = displacement->GetTrueVSize();
+   offsets[2] = offsets[1] + pressure->GetTrueVSize();
+}
+
+} // namespace synovia

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "materials/material_table.hpp"
+#include "physics/biphasic_spaces.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// The matrices of the bodies, without boundary conditions, contact and time
+/// step. For infinitesimal linear bodies they are constant.
+struct VolumeMatrices
+{
+   /// Assembles all of them. Every element's attribute must have a material.
+   VolumeMatrices(BiphasicSpaces &spaces, const MaterialTable &materials);
+
+   /// (C eps(u), eps(w)), displacement x displacement.
+   std::unique_ptr<mfem::HypreParMatrix> stiffness;
+   /// (div u, q), pressure x displacement, and its transpose.
+   std::unique_ptr<mfem::HypreParMatrix> divergence;
+   std::unique_ptr<mfem::HypreParMatrix> divergence_transpose;
+   /// (kappa grad p, grad q), pressure x pressure.
+   std::unique_ptr<mfem::HypreParMatrix> darcy;
+   /// Pressure-projection stabilisation for dp/dt; null where it isn't needed.
+   std::unique_ptr<mfem::HypreParMatrix> stabilisation;
+   /// (p / H_A, q): what the solid adds to the Schur complement of the
+   /// pressure.
+   std::unique_ptr<mfem::HypreParMatrix> compliance;
+};
+
+} // namespace synovia

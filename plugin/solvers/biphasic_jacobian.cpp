@@ -1,0 +1,149 @@
+#include "solvers/biphasic_jacobian.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+std::unique_ptr<HypreParMatrix> WeightedSquare(const HypreParMatrix &factor,
+                                               const Vector &weights)
+{
+   HypreParMatrix scaled(factor);
+   scaled.ScaleRows(weights);
+   const std::unique_ptr<HypreParMatrix> transpose(factor.Transpose());
+   return std::unique_ptr<HypreParMatrix>(
+      ParMult(transpose.get(), &scaled, true));
+}
+
+BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
+                                   const Array<int> &offsets_,
+                                   const Array<int> &u_dofs_,
+                                   const ContactPairs &pairs_)
+   : Operator(offsets_.Last()), matrices(matrices_), offsets(offsets_),
+     u_dofs(u_dofs_), pairs(pairs_)
+{
+}
+
+void BiphasicJacobian::AddContact(const HypreParMatrix &factor,
+                                  const Vector &weights, real_t scale,
+                                  const Vector &x, Vector &y) const
+{
+   rows.SetSize(factor.Height());
+   factor.Mult(x, rows);
+   rows *= weights;
+   product.SetSize(factor.Width());
+   factor.MultTranspose(rows, product);
+   y.Add(scale, product);
+}
+
+void BiphasicJacobian::MultDisplacement(const Vector &x, Vector &y) const
+{
+   u_free = x;
+   u_free.SetSubVector(u_dofs, 0.0);
+   matrices.stiffness->Mult(u_free, y);
+   for (const ContactPair *pair : pairs)
+   {
+      AddContact(*pair->Operators().gap, pair->GapWeights(), 1.0, u_free, y);
+   }
+   for (const int dof : u_dofs)
+   {
+      y[dof] = x[dof];
+   }
+}
+
+void BiphasicJacobian::AddDivergence(const Vector &x, Vector &y) const
+{
+   matrices.divergence->Mult(1.0, x, 1.0, y);
+}
+
+void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
+{
+   const Vector x_u(const_cast<Vector &>(x), offsets[0],
+                    offsets[1] - offsets[0]);
+   const Vector x_p(const_cast<Vector &>(x), offsets[1],
+                    offsets[2] - offsets[1]);
+   Vector y_u(y, offsets[0], x_u.Size());
+   Vector y_p(y, offsets[1], x_p.Size());
+
+   p_free = x_p;
+   p_free.SetSubVector(p_dofs, 0.0);
+   matrices.darcy->Mult(-dt, p_free, 0.0, y_p);
+   if (matrices.stabilisation)
+   {
+      matrices.stabilisation->Mult(-1.0, p_free, 1.0, y_p);
+   }
+   for (const ContactPair *pair : pairs)
+   {
+      AddContact(*pair->Operators().jump, pair->JumpWeights(), -dt, p_free,
+                 y_p);
+   }
+   // MultDisplacement leaves x_u with zeros at prescribed dofs in u_free.
+   MultDisplacement(x_u, y_u);
+   matrices.divergence->Mult(-1.0, u_free, 1.0, y_p);
+   matrices.divergence_transpose->Mult(-1.0, p_free, 1.0, y_u);
+   for (const int dof : u_dofs)
+   {
+      y_u[dof] = x_u[dof];
+   }
+   for (const int dof : p_dofs)
+   {
+      y_p[dof] = x_p[dof];
+   }
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
+{
+   auto block = std::make_unique<HypreParMatrix>(*matrices.darcy);
+   *block *= dt;
+   if (matrices.stabilisation)
+   {
+      block.reset(Add(1.0, *block, 1.0, *matrices.stabilisation));
+   }
+   for (const ContactPair *pair : pairs)
+   {
+      const auto contact =
+         WeightedSquare(*pair->Operators().jump, pair->JumpWeights());
+      block.reset(Add(1.0, *block, dt, *contact));
+   }
+   return block;
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::SchurComplement() const
+{
+   std::unique_ptr<HypreParMatrix> schur(
+      Add(1.0, *PressureBlock(), 1.0, *matrices.compliance));
+   schur->EliminateBC(p_dofs, DIAG_ONE);
+   return schur;
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::Assemble() const
+{
+   auto stiffness = std::make_unique<HypreParMatrix>(*matrices.stiffness);
+   for (const ContactPair *pair : pairs)
+   {
+      const auto contact =
+         WeightedSquare(*pair->Operators().gap, pair->GapWeights());
+      stiffness.reset(Add(1.0, *stiffness, 1.0, *contact));
+   }
+   stiffness->EliminateBC(u_dofs, DIAG_ONE);
+
+   HypreParMatrix divergence(*matrices.divergence);
+   divergence.EliminateRows(p_dofs);
+   delete divergence.EliminateCols(u_dofs);
+   const std::unique_ptr<HypreParMatrix> transpose(divergence.Transpose());
+   const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
+   pressure->EliminateBC(p_dofs, DIAG_ONE);
+   // Prescribed rows come out as -1; a change of sign keeps quasi-definiteness.
+   Array2D<const HypreParMatrix *> blocks(2, 2);
+   blocks(0, 0) = stiffness.get();
+   blocks(0, 1) = transpose.get();
+   blocks(1, 0) = &divergence;
+   blocks(1, 1) = pressure.get();
+   Array2D<real_t> signs(2, 2);
+   signs = -1.0;
+   signs(0, 0) = 1.0;
+   return std::unique_ptr<HypreParMatrix>(
+      HypreParMatrixFromBlocks(blocks, &signs));
+}
+
+} // namespace synovia

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "contact/contact_pair.hpp"
+#include "physics/volume_matrices.hpp"
+
+#include <vector>
+
+namespace synovia
+{
+
+/// Contact pairs of a problem; borrowed.
+using ContactPairs = std::vector<const ContactPair *>;
+
+/// The linearised equations of one stage, for (displacement, pressure):
+///
+///     [ K + G^T W G       -B^T                      ]
+///     [    -B       -(dt L + S + dt J^T W_p J)      ]
+///
+/// with unit rows and columns for prescribed dofs. Symmetric and
+/// quasi-definite. K, B, L, S never change; contact acts through its factors,
+/// so that a change of the active set costs nothing here.
+class BiphasicJacobian : public mfem::Operator
+{
+public:
+   /// Borrows all arguments. @a u_dofs are the prescribed true dofs.
+   BiphasicJacobian(const VolumeMatrices &matrices,
+                    const mfem::Array<int> &offsets,
+                    const mfem::Array<int> &u_dofs, const ContactPairs &pairs);
+
+   void SetTimeStep(mfem::real_t dt_) { dt = dt_; }
+   mfem::real_t TimeStep() const { return dt; }
+   /// Prescribed and free-draining true dofs of the pressure, ascending.
+   void SetPressureDofs(const mfem::Array<int> &p_dofs_) { p_dofs = p_dofs_; }
+
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+   /// y = (K + G^T W G) x with unit rows for prescribed dofs.
+   void MultDisplacement(const mfem::Vector &x, mfem::Vector &y) const;
+   /// y += B x for x with zeros at prescribed dofs.
+   void AddDivergence(const mfem::Vector &x, mfem::Vector &y) const;
+
+   /// dt L + S + dt J^T W_p J + M / H_A with unit rows for prescribed dofs: an
+   /// approximation of the Schur complement, less its sign.
+   std::unique_ptr<mfem::HypreParMatrix> SchurComplement() const;
+   /// The whole matrix, assembled.
+   std::unique_ptr<mfem::HypreParMatrix> Assemble() const;
+
+   const mfem::Array<int> &Offsets() const { return offsets; }
+   const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
+   const mfem::Array<int> &PressureDofs() const { return p_dofs; }
+   const ContactPairs &Pairs() const { return pairs; }
+   const VolumeMatrices &Volume() const { return matrices; }
+
+private:
+   std::unique_ptr<mfem::HypreParMatrix> PressureBlock() const;
+   void AddContact(const mfem::HypreParMatrix &factor,
+                   const mfem::Vector &weights, mfem::real_t scale,
+                   const mfem::Vector &x, mfem::Vector &y) const;
+
+   const VolumeMatrices &matrices;
+   const mfem::Array<int> &offsets;
+   const mfem::Array<int> &u_dofs;
+   const ContactPairs &pairs;
+   mfem::Array<int> p_dofs;
+   mfem::real_t dt = 1.0;
+   mutable mfem::Vector u_free;
+   mutable mfem::Vector p_free;
+   mutable mfem::Vector rows;
+   mutable mfem::Vector product;
+};
+
+/// factor^T diag(weights) factor
+std::unique_ptr<mfem::HypreParMatrix>
+WeightedSquare(const mfem::HypreParMatrix &factor, const mfem::Vector &weights);
+
+} // namespace synovia

@@ -1,0 +1,165 @@
+#include "solvers/biphasic_linear_solver.hpp"
+#include "general/reduce.hpp"
+#include "solvers/block_amg_preconditioner.hpp"
+#include "solvers/direct_preconditioner.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// y = D A D x, D being 1 for displacements and a factor for pressures.
+class ScaledOperator2x2 : public Operator
+{
+public:
+   ScaledOperator2x2(const Operator &inner_, int pressure_begin_,
+                     real_t factor_)
+      : Operator(inner_.Height()), inner(inner_),
+        pressure_begin(pressure_begin_), factor(factor_)
+   {
+   }
+   void Mult(const Vector &x, Vector &y) const override
+   {
+      scaled = x;
+      Scale(scaled);
+      inner.Mult(scaled, y);
+      Scale(y);
+   }
+
+private:
+   void Scale(Vector &x) const
+   {
+      for (int i = pressure_begin; i < x.Size(); i++)
+      {
+         x[i] *= factor;
+      }
+   }
+   const Operator &inner;
+   int pressure_begin;
+   real_t factor;
+   mutable Vector scaled;
+};
+
+/// A preconditioner in scaled unknowns.
+class ScaledSolver : public Solver
+{
+public:
+   ScaledSolver(const Operator &inner, int pressure_begin, real_t factor)
+      : Solver(inner.Height()), scaled(inner, pressure_begin, factor)
+   {
+   }
+   void SetOperator(const Operator &) override {}
+   void Mult(const Vector &x, Vector &y) const override { scaled.Mult(x, y); }
+
+private:
+   ScaledOperator2x2 scaled;
+};
+
+real_t MeanDiagonal(const HypreParMatrix &matrix)
+{
+   Vector diagonal(matrix.Height());
+   matrix.GetDiag(diagonal);
+   return SumOverRanks(diagonal.Sum(), matrix.GetComm()) /
+          matrix.GetGlobalNumRows();
+}
+
+LinearMethod Choose(const LinearOptions &options, BiphasicSpaces &spaces)
+{
+   if (options.method != LinearMethod::automatic)
+   {
+      return options.method;
+   }
+   const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
+                             spaces.Pressure().GlobalTrueVSize();
+   return dofs <= options.direct_below ? LinearMethod::direct
+                                       : LinearMethod::block_amg;
+}
+} // namespace
+
+BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
+                                           BiphasicSpaces &spaces,
+                                           const LinearOptions &options_)
+   : jacobian(jacobian_), comm(spaces.GetComm()), options(options_),
+     method(Choose(options, spaces)),
+     force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
+                                MeanDiagonal(*jacobian.Volume().compliance)))
+{
+   if (method == LinearMethod::direct)
+   {
+      preconditioner =
+         std::make_unique<DirectPreconditioner>(jacobian, options.renew_after);
+   }
+   else
+   {
+      preconditioner =
+         std::make_unique<BlockAmgPreconditioner>(jacobian, spaces);
+   }
+}
+
+BiphasicLinearSolver::~BiphasicLinearSolver() = default;
+
+real_t BiphasicLinearSolver::Norm(const Vector &residual,
+                                  const ResidualTolerance &tolerance) const
+{
+   real_t sum = 0.0;
+   for (int i = 0; i < residual.Size(); i++)
+   {
+      const real_t part =
+         residual[i] /
+         (i < jacobian.Offsets()[1] ? tolerance.momentum : tolerance.mass);
+      sum += part * part;
+   }
+   return std::sqrt(SumOverRanks(sum, comm));
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
+                            const ResidualTolerance &tolerance, real_t target)
+{
+   // In the scaled unknowns both equations have the tolerance of the momentum.
+   const real_t pressure_scale = tolerance.momentum / tolerance.mass;
+   const int pressure_begin = jacobian.Offsets()[1];
+   const ScaledOperator2x2 scaled(jacobian, pressure_begin, pressure_scale);
+   ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
+                                      1.0 / pressure_scale);
+   FGMRESSolver solver(comm);
+   solver.SetKDim(100);
+   solver.SetRelTol(0.0);
+   solver.SetAbsTol(target * tolerance.momentum);
+   solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
+   solver.SetOperator(scaled);
+   solver.SetPreconditioner(scaled_preconditioner);
+   solver.iterative_mode = true;
+
+   Vector right_side(b);
+   for (int i = pressure_begin; i < b.Size(); i++)
+   {
+      right_side[i] *= pressure_scale;
+   }
+   x = 0.0;
+   Result result;
+   bool again = true;
+   while (again && !result.converged &&
+          result.iterations < options.max_iterations)
+   {
+      preconditioner->Update();
+      solver.SetMaxIter(std::min(preconditioner->Patience(),
+                                 options.max_iterations - result.iterations));
+      solver.Mult(right_side, x);
+      result.converged = solver.GetConverged();
+      result.iterations += solver.GetNumIterations();
+      again =
+         preconditioner->Report(solver.GetNumIterations(), result.converged);
+   }
+   for (int i = pressure_begin; i < x.Size(); i++)
+   {
+      x[i] *= pressure_scale;
+   }
+   return result;
+}
+
+} // namespace synovia

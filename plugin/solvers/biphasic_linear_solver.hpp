@@ -1,0 +1,106 @@
+#pragma once
+
+#include "solvers/biphasic_jacobian.hpp"
+
+namespace synovia
+{
+
+/// How the linear systems are preconditioned.
+enum class LinearMethod
+{
+   /// Direct for small problems, multigrid for large ones.
+   automatic,
+   /// Block-triangular: filtered BoomerAMG on the displacement, BoomerAMG on
+   /// the pressure's Schur complement.
+   block_amg,
+   /// A factorisation of the whole matrix, kept while it serves.
+   direct
+};
+
+struct LinearOptions
+{
+   LinearMethod method = LinearMethod::automatic;
+   mfem::real_t relative_tolerance = 1e-8;
+   int max_iterations = 300;
+   /// Automatic: up to this many dofs, direct.
+   HYPRE_BigInt direct_below = 150000;
+   /// A kept factorisation is renewed once the solves since took this many
+   /// iterations more than they would have taken with a new one: about what a
+   /// factorisation costs.
+   int renew_after = 40;
+};
+
+/// An approximate inverse of the Jacobian that follows its changes.
+class BiphasicPreconditioner : public mfem::Solver
+{
+public:
+   using mfem::Solver::Solver;
+   /// Surfaces were searched anew: gap and jump have other entries. Collective.
+   virtual void ContactMoved() = 0;
+   /// Called before each solve, when step, active set or drained dofs may have
+   /// changed. Collective.
+   virtual void Update() = 0;
+   /// Called after each try to solve; says whether another try, from where the
+   /// last one got to, is worth it if that one did not converge. Collective.
+   virtual bool Report(int iterations, bool converged) = 0;
+   /// Iterations after which a solve had better Report().
+   virtual int Patience() const = 0;
+   void SetOperator(const mfem::Operator &) override
+   {
+      MFEM_ABORT("the preconditioner keeps its operator");
+   }
+};
+
+/// What may be left of the residual of each equation, as norms of true-dof
+/// vectors: force, and volume of fluid in a step.
+struct ResidualTolerance
+{
+   mfem::real_t momentum = 0.0;
+   mfem::real_t mass = 0.0;
+};
+
+/// FGMRES with one of the preconditioners. Each equation is measured by its own
+/// tolerance, so that the stopping test is the same in every system of units
+/// and a stiff body's round-off doesn't hide the fluid.
+class BiphasicLinearSolver
+{
+public:
+   /// Borrows @a jacobian and @a spaces. Collective.
+   BiphasicLinearSolver(const BiphasicJacobian &jacobian,
+                        BiphasicSpaces &spaces, const LinearOptions &options);
+   ~BiphasicLinearSolver();
+
+   void ContactMoved() { preconditioner->ContactMoved(); }
+
+   /// Norm of a residual in units of the tolerance: at most 1 is good enough.
+   /// Collective.
+   mfem::real_t Norm(const mfem::Vector &residual,
+                     const ResidualTolerance &tolerance) const;
+
+   /// Force / volume: what makes residuals of the two equations comparable
+   /// where nothing else is known of one of them.
+   mfem::real_t ForcePerVolume() const { return force_per_volume; }
+
+   struct Result
+   {
+      bool converged = false;
+      int iterations = 0;
+   };
+   /// Solves J x = b, from zero, until the Norm() of what is left is at most
+   /// @a target. Collective.
+   Result Solve(const mfem::Vector &b, mfem::Vector &x,
+                const ResidualTolerance &tolerance, mfem::real_t target);
+
+   const LinearOptions &Options() const { return options; }
+   LinearMethod Method() const { return method; }
+
+private:
+   const BiphasicJacobian &jacobian;
+   MPI_Comm comm;
+   LinearOptions options;
+   LinearMethod method;
+   mfem::real_t force_per_volume;
+   std::unique_ptr<BiphasicPreconditioner> preconditioner;
+};
+
+} // namespace synovia

@@ -1,0 +1,120 @@
+#include "solvers/block_amg_preconditioner.hpp"
+#include "general/reduce.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+bool Same(const Vector &a, const Vector &b)
+{
+   if (a.Size() != b.Size())
+   {
+      return false;
+   }
+   for (int i = 0; i < a.Size(); i++)
+   {
+      if (a[i] != b[i])
+      {
+         return false;
+      }
+   }
+   return true;
+}
+
+// Takes the pairs' weights into @a kept and says whether any rank's changed.
+template <typename GetWeights>
+bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
+                 std::vector<Vector> &kept, GetWeights weights)
+{
+   kept.resize(pairs.size());
+   bool changed = false;
+   for (size_t i = 0; i < pairs.size(); i++)
+   {
+      const Vector &now = weights(*pairs[i]);
+      if (!Same(kept[i], now))
+      {
+         kept[i] = now;
+         changed = true;
+      }
+   }
+   return AnyRank(changed, comm);
+}
+} // namespace
+
+BlockAmgPreconditioner::BlockAmgPreconditioner(
+   const BiphasicJacobian &jacobian_, BiphasicSpaces &spaces)
+   : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
+     displacement(jacobian_, spaces.Displacement())
+{
+}
+
+void BlockAmgPreconditioner::ContactMoved()
+{
+   moved = true;
+}
+
+void BlockAmgPreconditioner::Update()
+{
+   MPI_Comm comm = jacobian.Volume().darcy->GetComm();
+   const bool gaps_changed =
+      TakeWeights(jacobian.Pairs(), comm, gap_weights,
+                  [](const ContactPair &pair) -> const Vector &
+                  { return pair.GapWeights(); });
+   const bool jumps_changed =
+      TakeWeights(jacobian.Pairs(), comm, jump_weights,
+                  [](const ContactPair &pair) -> const Vector &
+                  { return pair.JumpWeights(); });
+   if (moved)
+   {
+      displacement.UpdateSubspace();
+   }
+   if (moved || gaps_changed)
+   {
+      displacement.UpdateWeights();
+   }
+   const bool drains_elsewhere =
+      AnyRank(!(p_dofs == jacobian.PressureDofs()), comm);
+   // Steps that end on a corner differ by round-off.
+   const bool other_step =
+      std::abs(dt - jacobian.TimeStep()) > 1e-6 * jacobian.TimeStep();
+   if (moved || jumps_changed || drains_elsewhere || other_step)
+   {
+      dt = jacobian.TimeStep();
+      p_dofs = jacobian.PressureDofs();
+      pressure.reset();
+      schur = jacobian.SchurComplement();
+      pressure = std::make_unique<HypreBoomerAMG>(*schur);
+      pressure->SetPrintLevel(0);
+   }
+   moved = false;
+}
+
+void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
+{
+   const Array<int> &offsets = jacobian.Offsets();
+   const int nu = offsets[1];
+   const int np = offsets[2] - nu;
+   const Vector x_u(const_cast<Vector &>(x), 0, nu);
+   const Vector x_p(const_cast<Vector &>(x), nu, np);
+   Vector y_u(y, 0, nu);
+   Vector y_p(y, nu, np);
+
+   displacement.Mult(x_u, y_u);
+   u_free = y_u;
+   u_free.SetSubVector(jacobian.DisplacementDofs(), 0.0);
+   residual = x_p;
+   jacobian.AddDivergence(u_free, residual);
+   residual.Neg();
+   for (const int dof : jacobian.PressureDofs())
+   {
+      residual[dof] = x_p[dof];
+   }
+   pressure->Mult(residual, y_p);
+}
+
+} // namespace synovia

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "solvers/biphasic_linear_solver.hpp"
+#include "solvers/contact_filter.hpp"
+
+#include <limits>
+
+namespace synovia
+{
+
+/// Block lower triangular: u = A^-1 r_u, p = -S^-1 (r_p + B u), with filtered
+/// multigrid for A and multigrid for the Schur complement S (fixed stress).
+class BlockAmgPreconditioner : public BiphasicPreconditioner
+{
+public:
+   /// Borrows its arguments. Collective.
+   BlockAmgPreconditioner(const BiphasicJacobian &jacobian,
+                          BiphasicSpaces &spaces);
+
+   void ContactMoved() override;
+   void Update() override;
+   bool Report(int, bool) override { return false; }
+   int Patience() const override { return std::numeric_limits<int>::max(); }
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+private:
+   const BiphasicJacobian &jacobian;
+   FilteredAmg displacement;
+   std::unique_ptr<mfem::HypreParMatrix> schur;
+   std::unique_ptr<mfem::HypreBoomerAMG> pressure;
+   bool moved = true;
+   mfem::real_t dt = -1.0;
+   mfem::Array<int> p_dofs;
+   std::vector<mfem::Vector> gap_weights;
+   std::vector<mfem::Vector> jump_weights;
+   mutable mfem::Vector u_free;
+   mutable mfem::Vector residual;
+};
+
+} // namespace synovia

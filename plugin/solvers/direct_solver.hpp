@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// What a direct solver may rely on.
+enum class MatrixKind
+{
+   positive_definite,
+   symmetric
+};
+
+/// A direct factorisation of a distributed matrix: MUMPS where MFEM has it, on
+/// any number of ranks; else UMFPACK on one rank. Throws Error if MFEM has
+/// neither. A rank may own no rows.
+std::unique_ptr<mfem::Solver>
+MakeDirectSolver(const mfem::HypreParMatrix &matrix, MatrixKind kind);
+
+} // namespace synovia

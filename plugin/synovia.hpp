@@ -1,0 +1,15 @@
+#pragma once
+
+#include "general/error.hpp"
+#include "general/load_curve.hpp"
+#include "io/field_output.hpp"
+#include "io/history.hpp"
+#include "io/line_sampler.hpp"
+#include "io/output_directory.hpp"
+#include "io/progress.hpp"
+#include "io/step_diagnostics.hpp"
+#include "materials/isotropic_elastic.hpp"
+#include "materials/permeability_law.hpp"
+#include "mesh/named_mesh.hpp"
+#include "physics/biphasic_problem.hpp"
+#include "solvers/time_stepper.hpp"

@@ -1,0 +1,39 @@
+# What Synovia needs besides MFEM, found here for the build and, installed
+# beside synoviaConfig.cmake, for the projects that use it.
+
+# FindHDF5 asks the C compiler. A project that uses Synovia may be C++ only.
+if(NOT CMAKE_C_COMPILER_LOADED)
+  enable_language(C)
+endif()
+
+find_package(MPI QUIET COMPONENTS C CXX)
+if(NOT MPI_FOUND)
+  message(FATAL_ERROR "MPI for C and C++ was not found. Install it (Debian: "
+    "libopenmpi-dev openmpi-bin), or pass -DMPI_HOME=<prefix>.")
+endif()
+
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 QUIET COMPONENTS C)
+if(NOT HDF5_FOUND OR NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "HDF5 with MPI was not found. Install it (Debian: "
+    "libhdf5-openmpi-dev), or pass -DHDF5_ROOT=<prefix>.")
+endif()
+if(NOT TARGET synovia::hdf5)
+  add_library(synovia::hdf5 INTERFACE IMPORTED)
+  target_include_directories(synovia::hdf5 INTERFACE ${HDF5_C_INCLUDE_DIRS})
+  target_compile_definitions(synovia::hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
+  target_link_libraries(synovia::hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+endif()
+
+find_path(GMSH_INCLUDE_DIR gmsh.h)
+find_library(GMSH_LIBRARY gmsh)
+if(NOT GMSH_INCLUDE_DIR OR NOT GMSH_LIBRARY)
+  message(FATAL_ERROR "gmsh's library was not found. Install it (Debian: "
+    "libgmsh-dev), or pass -DCMAKE_PREFIX_PATH=<prefix>.")
+endif()
+if(NOT TARGET synovia::gmsh)
+  add_library(synovia::gmsh UNKNOWN IMPORTED)
+  set_target_properties(synovia::gmsh PROPERTIES
+    IMPORTED_LOCATION "${GMSH_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${GMSH_INCLUDE_DIR}")
+endif()

@@ -1,0 +1,41 @@
+# Set-up and build. To be sourced.
+# shellcheck shell=bash
+
+# shellcheck source=scripts/lib/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+# shellcheck source=scripts/lib/packages.sh
+source "$SYNOVIA_SCRIPTS/lib/packages.sh"
+# shellcheck source=scripts/lib/python.sh
+source "$SYNOVIA_SCRIPTS/lib/python.sh"
+# shellcheck source=scripts/lib/mfem.sh
+source "$SYNOVIA_SCRIPTS/lib/mfem.sh"
+
+# Sets MFEM_DIR and SYNOVIA_PYTHON.
+setup_all()
+{
+   take_lock 9 "$SYNOVIA_CACHE/lock"
+   install_packages
+   setup_python
+   setup_mfem
+   exec 9>&-
+}
+
+# build DIRECTORY TARGET [CMAKE_ARGUMENT...]: nobody else builds there, or runs tests,
+# until the calling script ends.
+build()
+{
+   local directory=$1 target=$2
+   shift 2
+   take_lock 8 "$directory/lock"
+   local arguments=("-DSYNOVIA_PYTHON=$SYNOVIA_PYTHON" "$@")
+   # A build directory keeps the generator it was made with.
+   [[ -f $directory/CMakeCache.txt ]] || arguments+=(-G Ninja)
+   [[ -z $MFEM_DIR ]] || arguments+=("-DMFEM_DIR=$MFEM_DIR")
+   ! have ccache || arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+   cmake -S "$SYNOVIA_SOURCE_DIR" -B "$directory" "${arguments[@]}" ||
+      die "cannot configure $directory (see above)" \
+         "If it was made with other tools, remove it and try again."
+   cmake --build "$directory" --target "$target" \
+      --parallel "$(parallel_jobs)" ||
+      die "the build in $directory failed (see above)"
+}

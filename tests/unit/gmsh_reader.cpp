@@ -1,0 +1,547 @@
+// Meshes that gmsh saves are read with their volumes, surfaces and names.
+
+// ranks: 1 2 3
+// timeout: 300
+
+#include "mesh/flat_mesh.hpp"
+#include "mesh/gmsh_file.hpp"
+#include "mesh/named_mesh.hpp"
+#include "support/gmsh_meshes.hpp"
+#include "support/mesh_measures.hpp"
+#include "support/msh_text.hpp"
+
+#include <catch2/catch.hpp>
+#include <gmsh.h>
+
+#include <cmath>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+
+const real_t pi = 4.0 * std::atan(1.0);
+
+NamedMesh SaveAndRead(const GmshFormat &format,
+                      const std::function<void()> &build,
+                      const ReadOptions &options = ReadOptions())
+{
+   const TemporaryDirectory directory;
+   return ReadGmsh(SaveWithGmsh(directory, format, build), MPI_COMM_WORLD,
+                   options);
+}
+
+NamedMesh ReadText(const std::string &text)
+{
+   const TemporaryDirectory directory;
+   return ReadGmsh(directory.Write("mesh.msh", text), MPI_COMM_WORLD);
+}
+
+GmshFormat OfOrder(int order)
+{
+   GmshFormat format;
+   format.order = order;
+   return format;
+}
+
+std::vector<std::string> Keys(const NameTable &names)
+{
+   std::vector<std::string> keys;
+   for (const auto &entry : names)
+   {
+      keys.push_back(entry.first);
+   }
+   return keys;
+}
+
+int NodalOrder(const NamedMesh &mesh)
+{
+   const GridFunction *const nodes = mesh.Get().GetNodes();
+   return nodes ? nodes->FESpace()->GetMaxElementOrder() : 1;
+}
+
+// Reads the file again in gmsh itself and gives the largest distance between
+// a point of an element there and the same point of the mesh that MFEM gets.
+// Tetrahedra may be renumbered, so their points are found by their corners.
+real_t LargestDistanceToGmsh(const std::string &path, int &elements)
+{
+   const FlatMesh flat = ReadGmshFile(path);
+   const Mesh mesh = BuildMesh(flat);
+   elements = mesh.GetNE();
+   gmsh::initialize(0, nullptr, false);
+   gmsh::option::setNumber("General.Terminal", 0.0);
+   // It complains of what it lacks for cubic prisms, which is not needed here.
+   gmsh::option::setNumber("General.AbortOnError", 0.0);
+   gmsh::open(path);
+   // In gmsh's tetrahedron, prism, hexahedron and pyramid alike.
+   const std::vector<double> points = {0.2, 0.1, 0.3, 0.5, 0.25, 0.2};
+   real_t largest = 0.0;
+   for (int i = 0; i < mesh.GetNE(); i++)
+   {
+      std::vector<double> jacobians;
+      std::vector<double> determinants;
+      std::vector<double> positions;
+      gmsh::model::mesh::getJacobian(flat.element_numbers[i], points, jacobians,
+                                     determinants, positions);
+      IsoparametricTransformation map;
+      mesh.GetElementTransformation(i, &map);
+      const Geometry::Type geometry = map.GetGeometryType();
+      for (size_t p = 0; p < points.size() / 3; p++)
+      {
+         const double u = points[3 * p];
+         const double v = points[3 * p + 1];
+         const double w = points[3 * p + 2];
+         IntegrationPoint point;
+         if (geometry == Geometry::CUBE)
+         {
+            point.Set3((1 + u) / 2, (1 + v) / 2, (1 + w) / 2);
+         }
+         else if (geometry == Geometry::PRISM)
+         {
+            point.Set3(u, v, (1 + w) / 2);
+         }
+         else if (geometry == Geometry::PYRAMID)
+         {
+            point.Set3((1 + u - w) / 2, (1 + v - w) / 2, w);
+         }
+         else
+         {
+            // Weights of gmsh's corners, handed to MFEM's corners.
+            const double weights[4] = {1 - u - v - w, u, v, w};
+            double mine[4];
+            int first = 0;
+            for (int e = 0; e < i; e++)
+            {
+               first += flat.shapes[flat.element_shapes[e]].nodes;
+            }
+            const int *const vertices = mesh.GetElement(i)->GetVertices();
+            for (int a = 0; a < 4; a++)
+            {
+               for (int b = 0; b < 4; b++)
+               {
+                  if (vertices[a] == flat.element_nodes[first + b])
+                  {
+                     mine[a] = weights[b];
+                  }
+               }
+            }
+            point.Set3(mine[1], mine[2], mine[3]);
+         }
+         Vector position(3);
+         map.Transform(point, position);
+         for (int d = 0; d < 3; d++)
+         {
+            largest =
+               std::max(largest, std::abs(position(d) - positions[3 * p + d]));
+         }
+      }
+   }
+   gmsh::finalize();
+   return largest;
+}
+
+// Largest and smallest distance from the origin of the nodal points of a
+// boundary, over all ranks.
+std::pair<real_t, real_t> RangeOfRadius(const NamedMesh &named,
+                                        const std::string &boundary)
+{
+   const ParMesh &mesh = named.Get();
+   const Array<int> attributes = named.Boundary(boundary);
+   real_t range[2] = {-1e9, -1e9};
+   for (int i = 0; i < mesh.GetNBE(); i++)
+   {
+      if (attributes.Find(mesh.GetBdrAttribute(i)) < 0)
+      {
+         continue;
+      }
+      IsoparametricTransformation map;
+      mesh.GetBdrElementTransformation(i, &map);
+      DenseMatrix positions;
+      map.Transform(map.GetFE()->GetNodes(), positions);
+      for (int j = 0; j < positions.Width(); j++)
+      {
+         const real_t radius =
+            std::hypot(positions(0, j), positions(1, j), positions(2, j));
+         range[0] = std::max(range[0], -radius);
+         range[1] = std::max(range[1], radius);
+      }
+   }
+   MPI_Allreduce(MPI_IN_PLACE, range, 2, MPITypeMap<real_t>::mpi_type, MPI_MAX,
+                 named.GetComm());
+   return {-range[0], range[1]};
+}
+
+} // namespace
+
+// The box has the same measures whatever it is made and saved as.
+TEST_CASE("gmsh reader: formats, elements and orders")
+{
+   const Cells cells =
+      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
+   GmshFormat format;
+   format.version = GENERATE(2.2, 4.1);
+   format.binary = GENERATE(false, true);
+   format.order = GENERATE(1, 2, 3);
+   const NamedMesh mesh = SaveAndRead(format, [&]() { BuildBox(cells); });
+
+   CHECK(NodalOrder(mesh) == format.order);
+   CHECK(mesh.Get().GetNE() > 0);
+   CHECK(RegionVolume(mesh, "box") == Approx(6.0));
+   CHECK(BoundaryArea(mesh, "bottom") == Approx(2.0));
+   CHECK(BoundaryArea(mesh, "top") == Approx(2.0));
+   CHECK(BoundaryArea(mesh, "sides") == Approx(18.0));
+   CHECK(Keys(mesh.Regions()) == std::vector<std::string>{"box"});
+   CHECK(Keys(mesh.Boundaries()) ==
+         std::vector<std::string>{"bottom", "sides", "top"});
+   CHECK(mesh.Boundary("sides")[0] == 3);
+   CHECK(mesh.Get().bdr_attributes.Size() == 3);
+}
+
+// Each element of MFEM's mesh is the map that gmsh has for it, also inside.
+TEST_CASE("gmsh reader: curved elements are gmsh's")
+{
+   const TemporaryDirectory directory;
+   const auto distance =
+      [&](const GmshFormat &format, const std::function<void()> &build)
+   {
+      int elements = 0;
+      const real_t largest = LargestDistanceToGmsh(
+         SaveWithGmsh(directory, format, build), elements);
+      CHECK(elements > 3);
+      MPI_Barrier(MPI_COMM_WORLD);
+      return largest;
+   };
+   SECTION("swept cylinders")
+   {
+      const Cells cells =
+         GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
+      GmshFormat format;
+      format.order = GENERATE(1, 2, 3);
+      format.serendipity = GENERATE(false, true);
+      const bool fits =
+         cells != Cells::tetrahedra || format.order < 3 || !format.serendipity;
+      if (fits)
+      {
+         CHECK(distance(format, [&]() { BuildCylinder(cells, 0.9); }) < 1e-9);
+      }
+   }
+   SECTION("a ball of order 4")
+   {
+      CHECK(distance(OfOrder(4), []() { BuildBall(1.0); }) < 1e-9);
+   }
+   SECTION("bent pyramids")
+   {
+      GmshFormat format;
+      format.order = GENERATE(1, 2);
+      format.serendipity = GENERATE(false, true);
+      CHECK(distance(format, BuildPyramids) < 1e-9);
+   }
+}
+
+// gmsh's tetrahedra of 16 nodes curve a face by the nodes of all its element.
+TEST_CASE("gmsh reader: curved elements that do not fit together")
+{
+   GmshFormat format;
+   format.order = 3;
+   format.serendipity = true;
+   const auto build = []() { BuildCylinder(Cells::tetrahedra, 0.9); };
+   CHECK_THROWS_WITH(SaveAndRead(format, build),
+                     Catch::Contains("the curved elements do not fit "
+                                     "together: element ") &&
+                        Catch::Contains("save the mesh with elements of one "
+                                        "order, and complete ones"));
+}
+
+// V = pi r^2 h. The error of a chord is of second order in the size, that of a
+// parabola of fourth.
+TEST_CASE("gmsh reader: the volume of a curved cylinder converges")
+{
+   const Cells cells =
+      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
+   const auto error = [&](int order, double size)
+   {
+      const NamedMesh mesh =
+         SaveAndRead(OfOrder(order), [&]() { BuildCylinder(cells, size); });
+      return std::abs(RegionVolume(mesh, "cylinder") / (2 * pi) - 1.0);
+   };
+   CHECK(error(1, 0.4) > 1e-2);
+   CHECK(error(2, 0.8) < 5e-3);
+   CHECK(error(2, 0.4) < error(2, 0.8) / 8);
+
+   const NamedMesh mesh =
+      SaveAndRead(OfOrder(2), [&]() { BuildCylinder(cells, 0.4); });
+   CHECK(BoundaryArea(mesh, "mantle") == Approx(4 * pi).epsilon(1e-3));
+   CHECK(BoundaryArea(mesh, "top") == Approx(pi).epsilon(1e-3));
+   CHECK(mesh.Boundary("mantle")[0] == 13);
+}
+
+// gmsh puts the nodes on the sphere, and those of order 2 are MFEM's.
+TEST_CASE("gmsh reader: the nodes of a ball lie on the sphere")
+{
+   const auto range = [](int order, const ReadOptions &options)
+   {
+      return RangeOfRadius(
+         SaveAndRead(
+            OfOrder(order), []() { BuildBall(0.5); }, options),
+         "sphere");
+   };
+   const auto second = range(2, ReadOptions());
+   CHECK(second.first == Approx(1.0).margin(1e-10));
+   CHECK(second.second == Approx(1.0).margin(1e-10));
+
+   ReadOptions larger;
+   larger.scale = 1000.0;
+   CHECK(range(2, larger).second == Approx(1000.0).margin(1e-7));
+
+   const auto third = range(3, ReadOptions());
+   CHECK(third.first == Approx(1.0).margin(5e-4));
+   CHECK(third.second == Approx(1.0).margin(5e-4));
+
+   ReadOptions finer;
+   finer.refine = 1;
+   const auto split = range(2, finer);
+   CHECK(split.first == Approx(1.0).margin(2e-3));
+   CHECK(split.second == Approx(1.0).margin(2e-3));
+}
+
+TEST_CASE("gmsh reader: scale and refinement")
+{
+   const auto read = [](const ReadOptions &options)
+   {
+      return SaveAndRead(
+         GmshFormat(), []() { BuildBox(Cells::hexahedra); }, options);
+   };
+   ReadOptions options;
+   const NamedMesh as_it_is = read(options);
+   options.scale = 10.0;
+   options.refine = 1;
+   const NamedMesh mesh = read(options);
+   CHECK(mesh.Get().GetGlobalNE() == 8 * as_it_is.Get().GetGlobalNE());
+   CHECK(RegionVolume(mesh, "box") == Approx(6000.0));
+   CHECK(BoundaryArea(mesh, "top") == Approx(200.0));
+}
+
+// Bodies that touch without common nodes stay apart.
+TEST_CASE("gmsh reader: two bodies")
+{
+   const NamedMesh mesh =
+      SaveAndRead(GmshFormat(),
+                  []()
+                  {
+                     gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+                     gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+                     gmsh::model::occ::addBox(0, 0, 1, 1, 1, 2);
+                     gmsh::model::occ::synchronize();
+                     Group(3, {1}, 1, "lower");
+                     Group(3, {2}, 2, "upper");
+                     Group(2, {6}, 3, "lower top");
+                     Group(2, {11}, 4, "upper bottom");
+                  });
+   CHECK(RegionVolume(mesh, "lower") == Approx(1.0));
+   CHECK(RegionVolume(mesh, "upper") == Approx(2.0));
+   CHECK(BoundaryArea(mesh, "lower top") == Approx(1.0));
+   CHECK(BoundaryArea(mesh, "upper bottom") == Approx(1.0));
+   // The faces without a name are the others, under the next number.
+   CHECK(BoundaryArea(mesh, "5") == Approx(14.0));
+}
+
+TEST_CASE("gmsh reader: groups that overlap")
+{
+   GmshFormat format;
+   format.version = GENERATE(2.2, 4.1);
+   format.binary = GENERATE(false, true);
+   const NamedMesh mesh =
+      SaveAndRead(format,
+                  []()
+                  {
+                     gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+                     gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+                     gmsh::model::occ::addBox(2, 0, 0, 1, 1, 3);
+                     gmsh::model::occ::synchronize();
+                     Group(3, {1}, 1, "small");
+                     Group(3, {1, 2}, 2, "all");
+                     Group(2, {5, 6}, 7, "ends");
+                     Group(2, {5}, 8, "bottom");
+                     gmsh::model::addPhysicalGroup(2, {1}, 9);
+                  });
+   CHECK(RegionVolume(mesh, "small") == Approx(1.0));
+   CHECK(RegionVolume(mesh, "all") == Approx(4.0));
+   CHECK(mesh.Region("small").Size() == 1);
+   CHECK(mesh.Region("all").Size() == 2);
+   // All of the group 1 is in the group 2 as well.
+   CHECK(mesh.Region("1")[0] == 3);
+   CHECK(RegionVolume(mesh, "1") == Approx(1.0));
+   CHECK(RegionVolume(mesh, "2") == Approx(4.0));
+   CHECK(BoundaryArea(mesh, "ends") == Approx(2.0));
+   CHECK(BoundaryArea(mesh, "7") == Approx(2.0));
+   CHECK(BoundaryArea(mesh, "bottom") == Approx(1.0));
+   CHECK(BoundaryArea(mesh, "9") == Approx(1.0));
+   CHECK(BoundaryArea(mesh, "11") == Approx(3.0 + 14.0));
+   CHECK(mesh.Get().GetGlobalNE() > 0);
+}
+
+// Where two regions share faces there is no boundary.
+TEST_CASE("gmsh reader: surfaces between two regions")
+{
+   const NamedMesh mesh = SaveAndRead(
+      GmshFormat(),
+      []()
+      {
+         gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+         gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+         gmsh::model::occ::addBox(0, 0, 1, 1, 1, 1);
+         gmsh::vectorpair parts;
+         std::vector<gmsh::vectorpair> origins;
+         gmsh::model::occ::fragment({{3, 1}}, {{3, 2}}, parts, origins);
+         gmsh::model::occ::synchronize();
+         Group(3, {1}, 1, "lower");
+         Group(3, {2}, 2, "upper");
+         gmsh::vectorpair surfaces;
+         gmsh::model::getEntities(surfaces, 2);
+         std::vector<int> inner;
+         std::vector<int> all;
+         for (const auto &surface : surfaces)
+         {
+            all.push_back(surface.second);
+            std::vector<int> up;
+            std::vector<int> down;
+            gmsh::model::getAdjacencies(2, surface.second, up, down);
+            if (up.size() == 2)
+            {
+               inner.push_back(surface.second);
+            }
+         }
+         Group(2, inner, 1, "interface");
+         Group(2, all, 2, "all");
+      });
+   CHECK(RegionVolume(mesh, "lower") == Approx(1.0));
+   CHECK(BoundaryArea(mesh, "all") == Approx(10.0));
+   CHECK(mesh.Boundaries().count("interface") == 1);
+   CHECK_THROWS_WITH(mesh.Boundary("interface"),
+                     "the boundary \"interface\" is empty: none of its faces "
+                     "is on the outside of the mesh (bodies that touch need "
+                     "nodes of their own); there are: all");
+}
+
+// gmsh can add to a file what nobody needs here.
+TEST_CASE("gmsh reader: partitioned and parametric files")
+{
+   GmshFormat format;
+   format.binary = GENERATE(false, true);
+   const bool partitioned = GENERATE(false, true);
+   const NamedMesh mesh = SaveAndRead(
+      format,
+      [&]()
+      {
+         BuildBox(Cells::tetrahedra);
+         gmsh::option::setNumber("Mesh.SaveParametric", 1.0);
+         gmsh::model::mesh::generate(3);
+         if (partitioned)
+         {
+            gmsh::option::setNumber("Mesh.PartitionCreateGhostCells", 1.0);
+            gmsh::model::mesh::partition(3);
+         }
+      });
+   CHECK(RegionVolume(mesh, "box") == Approx(6.0));
+   CHECK(BoundaryArea(mesh, "sides") == Approx(18.0));
+   CHECK(mesh.Get().bdr_attributes.Size() == 3);
+}
+
+// Other programs write one entity for everything and tell the regions apart by
+// the physical tags of the elements alone.
+TEST_CASE("gmsh reader: version 2 with one entity for all")
+{
+   MshText text(2, 2, 3);
+   text.region = [](int, int, int k) { return k == 2 ? 20 : 10; };
+   const NamedMesh mesh = ReadText(text.Text());
+   CHECK(RegionVolume(mesh, "10") == Approx(8.0));
+   CHECK(RegionVolume(mesh, "20") == Approx(4.0));
+}
+
+// Numbers from somewhere, nodes of nothing, and Windows' ends of lines.
+TEST_CASE("gmsh reader: untidy files")
+{
+   MshText text(2, 2, 2);
+   text.first_node = 1000;
+   text.first_element = 500000000;
+   text.stray_node = true;
+   SECTION("numbers and stray nodes")
+   {
+      const NamedMesh mesh = ReadText(text.Text());
+      CHECK(RegionVolume(mesh, "10") == Approx(8.0));
+      long long vertices = 0;
+      long long mine = mesh.Get().GetNE();
+      MPI_Allreduce(&mine, &vertices, 1, MPI_LONG_LONG, MPI_SUM,
+                    MPI_COMM_WORLD);
+      CHECK(vertices == 8);
+   }
+   SECTION("ends of lines")
+   {
+      std::string windows;
+      for (const char c : text.Text())
+      {
+         windows += c == '\n' ? "\r\n" : std::string(1, c);
+      }
+      CHECK(RegionVolume(ReadText(windows), "10") == Approx(8.0));
+   }
+}
+
+// Elements numbered in the wrong sense are turned, all or some of them.
+TEST_CASE("gmsh reader: left-handed elements")
+{
+   MshText text(2, 2, 2);
+   const bool all = GENERATE(false, true);
+   text.left_handed = [&](int i, int j, int k)
+   { return all || (i + j + k) % 2 == 0; };
+   const NamedMesh mesh = ReadText(text.Text());
+   CHECK(RegionVolume(mesh, "10") == Approx(8.0));
+   CHECK(BoundaryArea(mesh, "1") == Approx(24.0));
+}
+
+TEST_CASE("gmsh reader: left-handed curved elements")
+{
+   // In a mirror, gmsh's elements of any type are left-handed.
+   const Cells cells =
+      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
+   const TemporaryDirectory directory;
+   std::string text =
+      SavedText(directory, OfOrder(2), [&]() { BuildCylinder(cells, 0.7); });
+   const NamedMesh as_it_is =
+      ReadGmsh(directory.File("mesh.msh"), MPI_COMM_WORLD);
+   const NamedMesh mirrored = ReadText(MirrorMsh(text));
+   CHECK(RegionVolume(mirrored, "cylinder") ==
+         Approx(RegionVolume(as_it_is, "cylinder")));
+   CHECK(BoundaryArea(mirrored, "mantle") ==
+         Approx(BoundaryArea(as_it_is, "mantle")));
+}
+
+// A program that uses gmsh itself does not notice.
+TEST_CASE("gmsh reader: gmsh is left as it was")
+{
+   const TemporaryDirectory directory;
+   const std::string path =
+      SaveWithGmsh(directory, GmshFormat(), []() { BuildBox(Cells::prisms); });
+   gmsh::initialize(0, nullptr, false);
+   gmsh::option::setNumber("General.Terminal", 0.0);
+   gmsh::option::setNumber("General.AbortOnError", 1.0);
+   gmsh::model::add("mine");
+   gmsh::model::addDiscreteEntity(0, 77);
+
+   CHECK(RegionVolume(ReadGmsh(path, MPI_COMM_WORLD), "box") == Approx(6.0));
+   CHECK_THROWS(ReadGmsh(path + ".not", MPI_COMM_WORLD));
+
+   std::string name;
+   gmsh::model::getCurrent(name);
+   CHECK(name == "mine");
+   gmsh::vectorpair entities;
+   gmsh::model::getEntities(entities);
+   CHECK(entities.size() == 1);
+   double value = 0.0;
+   gmsh::option::getNumber("General.AbortOnError", value);
+   CHECK(value == 1.0);
+   std::vector<std::string> models;
+   gmsh::model::list(models);
+   CHECK(models.size() == 2); // gmsh starts with one that has no name
+   gmsh::finalize();
+}

@@ -1,0 +1,168 @@
+// ranks: 1 2 3
+
+#include "io/history.hpp"
+#include "general/error.hpp"
+#include "io/hdf5_columns.hpp"
+#include "support/temp_directory.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace synovia;
+using Catch::Matchers::Contains;
+
+namespace
+{
+using Values = std::vector<double>;
+
+History::Row MakeRow(double t, double force)
+{
+   return {{"t", t}, {"reaction.indenter_top.z", force}};
+}
+
+void AddRows(History &history, int from, int to)
+{
+   for (int i = from; i <= to; i++)
+   {
+      history.Add(MakeRow(i, -0.1 * i));
+   }
+}
+} // namespace
+
+TEST_CASE("A history is the same in both files", "[io]")
+{
+   const TempDirectory temp;
+   {
+      History history(temp / "out", MPI_COMM_WORLD);
+      history.Add(MakeRow(0.1, -1.0 / 3.0));
+      history.Add(MakeRow(1e-20, 0.0));
+      CHECK(history.Rows() == 2);
+   }
+   MPI_Barrier(MPI_COMM_WORLD);
+   CHECK(ReadText(temp / "out/history.csv") == "t,reaction.indenter_top.z\n"
+                                               "0.1,-0.333333333333333\n"
+                                               "1e-20,0\n");
+   CHECK(ReadHdf5Column(temp / "out/history.h5", "t") == Values{0.1, 1e-20});
+   CHECK(ReadHdf5Column(temp / "out/history.h5", "reaction.indenter_top.z") ==
+         Values{-1.0 / 3.0, 0.0});
+}
+
+TEST_CASE("A killed run leaves all rows but the one in work", "[io]")
+{
+   const TempDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   // More than a chunk of the HDF5 datasets.
+   AddRows(history, 1, 1100);
+   // The files are readable, and what is in them is what a kill would leave.
+   CHECK(ReadHdf5Column(temp / "history.h5", "t").size() == 1100);
+   temp.OnRootOnly(
+      [&]()
+      {
+         std::filesystem::copy_file(temp / "history.h5", temp / "left.h5");
+         std::filesystem::copy_file(temp / "history.csv", temp / "left.csv");
+      });
+   const Values t = ReadHdf5Column(temp / "left.h5", "t");
+   REQUIRE(t.size() == 1100);
+   CHECK(t.back() == 1100.0);
+   CHECK_THAT(ReadText(temp / "left.csv"), Catch::EndsWith("\n1100,-110\n"));
+}
+
+TEST_CASE("A new history replaces an old one, before its first row", "[io]")
+{
+   const TempDirectory temp;
+   {
+      History history(temp.Path(), MPI_COMM_WORLD);
+      AddRows(history, 1, 3);
+   }
+   const History history(temp.Path(), MPI_COMM_WORLD);
+   CHECK_FALSE(std::filesystem::exists(temp / "history.csv"));
+   CHECK_FALSE(std::filesystem::exists(temp / "history.h5"));
+}
+
+TEST_CASE("A restart keeps the rows up to its time and goes on", "[io]")
+{
+   const TempDirectory temp;
+   {
+      History history(temp.Path(), MPI_COMM_WORLD);
+      AddRows(history, 1, 9);
+   }
+   temp.OnRootOnly(
+      [&]()
+      {
+         // A killed run may also leave half a line.
+         std::ofstream(temp / "history.csv", std::ios::app) << "5";
+      });
+   {
+      History history(temp.Path(), MPI_COMM_WORLD, 6.0);
+      CHECK(history.Rows() == 6);
+      AddRows(history, 7, 8);
+      CHECK(history.Rows() == 8);
+   }
+   MPI_Barrier(MPI_COMM_WORLD);
+   CHECK(ReadHdf5Column(temp / "history.h5", "t") ==
+         Values{1, 2, 3, 4, 5, 6, 7, 8});
+   CHECK_THAT(ReadText(temp / "history.csv"),
+              Contains("6,-0.6\n7,-0.7\n8,-0.8\n"));
+   CHECK_FALSE(std::filesystem::exists(temp / "history.csv.new"));
+}
+
+TEST_CASE("There must be a history to continue, with times", "[io]")
+{
+   const TempDirectory temp;
+   REQUIRE_THROWS_WITH(History(temp.Path(), MPI_COMM_WORLD, 1.0),
+                       Contains("history.csv', the history to continue"));
+   temp.OnRootOnly([&]() { std::ofstream(temp / "history.csv") << "a,b\n"; });
+   REQUIRE_THROWS_WITH(History(temp.Path(), MPI_COMM_WORLD, 1.0),
+                       Contains("has no column 't'"));
+}
+
+TEST_CASE("Rows must have the columns of the first one", "[io]")
+{
+   const TempDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   history.Add(MakeRow(1.0, 2.0));
+   REQUIRE_THROWS_WITH(history.Add({{"t", 2.0}, {"dt", 1.0}}),
+                       Contains("'dt' where the history has "
+                                "'reaction.indenter_top.z'"));
+   REQUIRE_THROWS_WITH(history.Add({{"t", 2.0}}),
+                       Contains("no more columns where the history has"));
+   CHECK(history.Rows() == 1);
+   CHECK_NOTHROW(history.Add(MakeRow(2.0, 3.0)));
+}
+
+TEST_CASE("Names that a file can't hold are refused", "[io]")
+{
+   const TempDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   for (const std::string name : {"", "a,b", "a/b", "a\"b", "a\nb"})
+   {
+      REQUIRE_THROWS_WITH(history.Add({{"t", 0.0}, {name, 1.0}}),
+                          Contains("'" + name + "' cannot name a column"));
+   }
+   REQUIRE_THROWS_WITH(history.Add({{"t", 0.0}, {"t", 1.0}}),
+                       Contains("two columns 't'"));
+}
+
+TEST_CASE("A history that can't be written is an error on all ranks", "[io]")
+{
+   const TempDirectory temp;
+   temp.OnRootOnly([&]() { std::ofstream(temp / "file") << "a file"; });
+   REQUIRE_THROWS_WITH(History(temp / "file/out", MPI_COMM_WORLD),
+                       Contains("file/out"));
+
+   // /dev/full is a disk without space. The HDF5 file is written anew, beside
+   // the old one, for every row.
+   for (const std::string file : {"history.csv", "history.h5.new"})
+   {
+      History history(temp / file + ".d", MPI_COMM_WORLD);
+      temp.OnRootOnly(
+         [&]() {
+            std::filesystem::create_symlink("/dev/full",
+                                            temp / file + ".d/" + file);
+         });
+      REQUIRE_THROWS_WITH(AddRows(history, 1, 2),
+                          Contains("cannot write '" + (temp / file) + ".d/h") &&
+                             Contains("No space left on device"));
+   }
+}

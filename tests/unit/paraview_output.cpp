@@ -1,0 +1,131 @@
+// ranks: 1 2 3
+
+#include "io/paraview_output.hpp"
+#include "general/error.hpp"
+#include "support/boxes.hpp"
+#include "support/temp_directory.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace mfem;
+using namespace synovia;
+using Catch::Matchers::Contains;
+
+namespace
+{
+int CountOf(const std::string &part, const std::string &text)
+{
+   int count = 0;
+   for (std::size_t at = text.find(part); at != std::string::npos;
+        at = text.find(part, at + 1))
+   {
+      count++;
+   }
+   return count;
+}
+
+int Ranks()
+{
+   int size = 0;
+   MPI_Comm_size(MPI_COMM_WORLD, &size);
+   return size;
+}
+} // namespace
+
+TEST_CASE("Fields go to a series of files that name each other", "[io]")
+{
+   const TempDirectory temp;
+   BoxOptions box;
+   box.type = Element::TETRAHEDRON;
+   NamedMesh mesh = MakeBox(box);
+   const H1_FECollection elements(2, 3);
+   ParFiniteElementSpace tensors(&mesh.Get(), &elements, 6);
+   ParGridFunction stress(&tensors);
+   stress = 1.0;
+   {
+      ParaViewOutput output(temp / "fields", "volume", mesh.Get(), 2);
+      output.Register("total_stress", stress);
+      output.Save(0, 0.0);
+      output.Save(1, 12.5);
+      // Whole at any time, not only at the end.
+      const std::string series = ReadText(temp / "fields/volume/volume.pvd");
+      CHECK(CountOf("<DataSet", series) == 2);
+      CHECK_THAT(series, Contains("timestep=\"12.5\"") &&
+                            Contains("file=\"Cycle000001/data.pvtu\"") &&
+                            Contains("</VTKFile>"));
+   }
+   const std::string pieces =
+      ReadText(temp / "fields/volume/Cycle000001/data.pvtu");
+   CHECK(CountOf("<Piece", pieces) == Ranks());
+   CHECK_THAT(pieces, Contains("Name=\"total_stress\" "
+                               "NumberOfComponents=\"6\""));
+}
+
+TEST_CASE("A surface that not all ranks have a part of is saved", "[io]")
+{
+   const TempDirectory temp;
+   BoxOptions box;
+   box.nz = 12;
+   NamedMesh mesh = MakeBox(box);
+   ParSubMesh surface =
+      ParSubMesh::CreateFromBoundary(mesh.Get(), mesh.Boundary("z1"));
+   const H1_FECollection elements(1, 2);
+   ParFiniteElementSpace scalars(&surface, &elements);
+   ParGridFunction gap(&scalars);
+   gap = 0.25;
+   ParaViewOutput output(temp / "fields", "top", surface, 1);
+   output.Register("gap", gap);
+   CHECK_NOTHROW(output.Save(3, 1.0));
+   CHECK_THAT(ReadText(temp / "fields/top/Cycle000003/data.pvtu"),
+              Contains("Name=\"gap\""));
+}
+
+TEST_CASE("A restart keeps the steps before it", "[io]")
+{
+   const TempDirectory temp;
+   NamedMesh mesh = MakeBox({});
+   {
+      ParaViewOutput output(temp.Path(), "volume", mesh.Get(), 1);
+      output.Save(0, 0.0);
+      output.Save(1, 1.0);
+      output.Save(2, 2.0);
+   }
+   MPI_Barrier(MPI_COMM_WORLD);
+   {
+      ParaViewOutput output(temp.Path(), "volume", mesh.Get(), 1, true);
+      output.Save(2, 1.5);
+   }
+   const std::string series = ReadText(temp / "volume/volume.pvd");
+   CHECK(CountOf("<DataSet", series) == 3);
+   CHECK_THAT(series,
+              Contains("timestep=\"1.5\"") && !Contains("timestep=\"2\""));
+}
+
+TEST_CASE("Fields that can't be written are an error on all ranks", "[io]")
+{
+   const TempDirectory temp;
+   temp.OnRootOnly([&]() { std::ofstream(temp / "file") << "a file"; });
+   NamedMesh mesh = MakeBox({});
+   REQUIRE_THROWS_WITH(ParaViewOutput(temp / "file", "volume", mesh.Get(), 1),
+                       Contains("file/volume"));
+
+   ParaViewOutput output(temp.Path(), "volume", mesh.Get(), 1);
+   output.Save(0, 0.0);
+   // A file in the place of the directory of the next cycle, and then pieces
+   // on a disk without space.
+   temp.OnRootOnly(
+      [&]()
+      {
+         std::ofstream(temp / "volume/Cycle000001") << "a file";
+         std::filesystem::create_directory(temp / "volume/Cycle000002");
+         for (int rank = 0; rank < Ranks(); rank++)
+         {
+            std::filesystem::create_symlink(
+               "/dev/full", temp / "volume/Cycle000002/proc00000" +
+                               std::to_string(rank) + ".vtu");
+         }
+      });
+   REQUIRE_THROWS_WITH(output.Save(1, 1.0), Contains("Cycle000001"));
+   REQUIRE_THROWS_WITH(output.Save(2, 2.0), Contains("proc000000.vtu"));
+   CHECK_NOTHROW(output.Save(3, 3.0));
+}

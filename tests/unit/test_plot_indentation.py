@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Tests of scripts/plot_indentation.py, on an output made from references."""
+
+import contextlib
+import io
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+try:
+    import matplotlib  # noqa: F401
+    import numpy as np
+    import pyvista
+    from matplotlib.collections import LineCollection
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(242)
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+sys.dont_write_bytecode = True
+import plot_indentation  # noqa: E402
+from synovia_output import Output, OutputError, reference  # noqa: E402
+
+RADIUS, THICKNESS, WIDTH = 0.75, 0.75, 3.0
+
+
+def write_csv(file: pathlib.Path, columns: dict) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    np.savetxt(file, np.transpose(list(columns.values())), delimiter=",",
+               header=",".join(columns), comments="")
+
+
+def write_line(folder: pathlib.Path, name: str, t: float, **columns) -> None:
+    count = len(next(iter(columns.values())))
+    table = {c: np.zeros(count) for c in ("x", "z", "p", "szz", "sxz")}
+    write_csv(folder / "lines" / f"{name}_t{t:g}.csv", {**table, **columns})
+
+
+def box(low: tuple, high: tuple, region: int) -> pyvista.UnstructuredGrid:
+    """A body of hexahedra with a displacement and a stress."""
+    axes = [np.linspace(a, b, 7) for a, b in zip(low, high)]
+    grid = pyvista.StructuredGrid(*np.meshgrid(*axes, indexing="ij"))
+    grid = grid.cast_to_unstructured_grid()
+    grid["displacement"] = grid.points * (0.0, 0.0, -0.05)
+    grid["total_stress"] = np.outer(grid.points[:, 2] - 2.0,
+                                    (0, 0, 0.01, 0, 0, 0))
+    grid.cell_data["attribute"] = np.full(grid.n_cells, region)
+    return grid
+
+
+def write_output(folder: pathlib.Path, factor: float) -> None:
+    """What a run leaves whose forces are the exact ones times the factor."""
+    exact = reference("indent_force.csv")
+    write_csv(folder / "history.csv", {
+        "t": exact["t"],
+        "reaction.indenter_top.z": -0.25 * factor * exact["F_permeable"]})
+    r = np.linspace(0, WIDTH, 61)
+    for name, z in (("top", 0.725), ("middle", 0.375), ("bottom", 0.0)):
+        write_line(folder, f"cartilage_{name}", 500, x=r, z=0 * r + z,
+                   p=0.01 * np.exp(-r), sxz=-0.005 * r * np.exp(-r))
+    axis = reference("indent_axis.csv").where("t", 500)
+    write_line(folder, "axis", 500, x=0 * axis["z"], z=axis["z"], p=axis["p"])
+    surface = reference("indent_surface.csv").where("t", 250)
+    for name in ("cartilage", "indenter"):
+        write_line(folder, f"contact_{name}", 250, x=surface["r"],
+                   szz=surface["szz"])
+    bodies = folder / "fields" / "bodies"
+    bodies.mkdir(parents=True)
+    both = (box((0, 0, 0), (WIDTH, 1, THICKNESS), 1)
+            + box((0, 0, THICKNESS), (RADIUS, 1, 1.5), 2))
+    both.save(bodies / "data.vtu")
+    (bodies / "bodies.pvd").write_text(
+        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'
+        '<Collection><DataSet timestep="250" part="0" file="data.vtu"/>'
+        '</Collection>\n</VTKFile>\n')
+
+
+class PlotIndentation(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temp = tempfile.TemporaryDirectory()
+        cls.out = pathlib.Path(cls.temp.name) / "out"
+        write_output(cls.out, 1.01)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temp.cleanup()
+
+    def run_script(self, *arguments: str) -> tuple[int, str, str]:
+        said, complained = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(said), \
+                contextlib.redirect_stderr(complained):
+            status = plot_indentation.main([str(a) for a in arguments])
+        return status, said.getvalue(), complained.getvalue()
+
+    def test_all_pictures_are_drawn_and_numbers_compared(self):
+        pictures = pathlib.Path(self.temp.name) / "pictures"
+        status, said, complained = self.run_script(self.out, "-o", pictures)
+        self.assertEqual((status, complained), (0, ""))
+        self.assertEqual({p.name for p in pictures.iterdir()},
+                         {f"{n}.png" for n in plot_indentation.PANELS}
+                         | {"indentation.png"})
+        for picture in pictures.iterdir():
+            pixels = matplotlib.image.imread(picture)
+            self.assertGreater(min(pixels.shape[:2]), 600, picture.name)
+            self.assertGreater(np.ptp(pixels), 0.5, picture.name)
+        for t in (250, 500, 1500):
+            self.assertRegex(said, f"force at {t} s: .*, \\+1.00 %")
+        for z, p in ((0, 0.008942), (0.4, 0.006787)):
+            self.assertRegex(said, f"z = {z} mm: {p} MPa, exact {p} MPa")
+
+    def test_section_moves_by_the_displacement(self):
+        figure, axes = plot_indentation.plt.subplots()
+        plot_indentation.axial_stress(axes, Output(self.out))
+        limits = axes.dataLim
+        self.assertAlmostEqual(limits.x1, WIDTH, places=5)
+        highest = [np.concatenate(outline.get_segments())[:, 1].max()
+                   for outline in axes.collections
+                   if isinstance(outline, LineCollection)]
+        for z in (0.75, 0.95 * 0.75, 1.5, 0.95 * 1.5):
+            self.assertTrue(np.isclose(highest, z, atol=1e-5).any(), z)
+        plot_indentation.plt.close(figure)
+
+    def test_what_is_missing_is_named(self):
+        status, _, complained = self.run_script(self.out / "nowhere")
+        self.assertEqual(status, 1)
+        self.assertIn("there is no directory", complained)
+        broken = pathlib.Path(self.temp.name) / "broken"
+        for remove, text in (
+                ("history.csv", "cannot read '{}/history.csv'"),
+                ("lines/axis_t500.csv", "there is no '{}/lines/axis_t500.csv';"
+                 " there are: cartilage_bottom_t500.csv"),
+                ("fields/bodies/bodies.pvd",
+                 "there is no '{}/fields/bodies/bodies.pvd'")):
+            with self.subTest(remove):
+                shutil.copytree(self.out, broken)
+                (broken / remove).unlink()
+                status, _, complained = self.run_script(broken)
+                self.assertEqual(status, 1)
+                self.assertIn(text.format(broken), complained)
+                shutil.rmtree(broken)
+
+    def test_wrong_tables_are_explained(self):
+        table = self.out / "table.csv"
+        table.write_text("t,f\n1,2\n3")
+        history = Output(self.out)
+        self.assertEqual(len(reference("mandel.csv")), 5)
+        with self.assertRaisesRegex(OutputError, "no fields at t = 3, only "
+                                    "at 250"):
+            history.fields("bodies", 3.0)
+        from synovia_output import Table
+        self.assertEqual(list(Table(table)["t"]), [1.0])
+        with self.assertRaisesRegex(OutputError, "no column 'g'; there are: "
+                                    "t, f"):
+            Table(table)["g"]
+        with self.assertRaisesRegex(OutputError, "no row with t = 2"):
+            Table(table).where("t", 2.0)
+        table.write_text("t,f\n1,x\n")
+        with self.assertRaisesRegex(OutputError, "table.csv.*'x'"):
+            Table(table)
+
+
+if __name__ == "__main__":
+    unittest.main()

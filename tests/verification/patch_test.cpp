@@ -1,0 +1,318 @@
+// ranks: 1 2 3 4
+// timeout: 120
+//
+// Contact patch tests: two boxes on top of each other, with meshes that do not
+// match, under loads for which the exact solution is uniform or linear.
+//
+// Sides on rollers and a long hold: the strain is uniaxial and the stress
+// uniform. With the moduli H_1, H_2 and heights h_1, h_2 of lower and upper
+// box,
+//
+//     t = -delta / (h_1/H_1 + h_2/H_2),   u_z = t z / H_1 in the lower box.
+//
+// With fluid that seeps from the top, where p = P, to the bottom, where p = 0,
+// and one permeability, p = P z / (h_1 + h_2), the flux is uniform, and the
+// total stress t too: H u_z' = t + p is linear, u_z quadratic, both of which
+// elements of order 2 have.
+
+#include "support/boxes.hpp"
+#include "synovia.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+constexpr real_t width = 1.0;
+constexpr real_t lower_height = 0.6;
+constexpr real_t upper_height = 0.5;
+constexpr real_t descent = 0.05;
+constexpr real_t permeability = 4.0e-3;
+// Thousands of gel times h^2 / (H_A kappa).
+constexpr real_t long_time = 1.0e11;
+
+struct Patch
+{
+   Element::Type type = Element::HEXAHEDRON;
+   int order = 2;
+   int lower_cells = 1;
+   int upper_cells = 1;
+   int quadrature_order = ContactOptions().quadrature_order;
+   real_t lower_poisson = 0.3;
+   real_t upper_modulus = 0.9;
+   real_t top_pressure = 0.0;
+};
+
+struct Errors
+{
+   // Largest error of the traction over the exact one.
+   real_t traction = 0.0;
+   // Of the vertical displacement over that of the top.
+   real_t displacement = 0.0;
+   // Of the pressure over that of the top.
+   real_t pressure = 0.0;
+   // Of the flux through the interface over the exact one.
+   real_t flux = 0.0;
+   // Of the forces on both sides against each other, over either.
+   real_t balance = 0.0;
+   real_t area = 0.0;
+};
+
+real_t MaxOver(MPI_Comm comm, real_t value)
+{
+   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPITypeMap<real_t>::mpi_type, MPI_MAX,
+                 comm);
+   return value;
+}
+
+Errors Solve(const Patch &patch)
+{
+   BoxOptions lower;
+   lower.nx = patch.lower_cells;
+   lower.ny = patch.lower_cells;
+   lower.nz = 2;
+   lower.type = patch.type;
+   lower.size_x = width;
+   lower.size_y = width;
+   lower.size_z = lower_height;
+   BoxOptions upper = lower;
+   upper.nx = patch.upper_cells;
+   upper.ny = patch.upper_cells;
+   upper.size_z = upper_height;
+   NamedMesh mesh = MakeStack(lower, upper);
+
+   const IsotropicElastic lower_solid(0.5, patch.lower_poisson);
+   const IsotropicElastic upper_solid(patch.upper_modulus, 0.2);
+   const ConstantPermeability fluid(permeability);
+   SpaceOptions space;
+   space.order = patch.order;
+   BiphasicProblem problem(mesh, space);
+   problem.SetMaterial("lower", lower_solid, fluid);
+   problem.SetMaterial("upper", upper_solid, fluid);
+   for (const char *body : {"lower_", "upper_"})
+   {
+      const std::string prefix = body;
+      problem.PrescribeDisplacement(prefix + "x0", 0, 0.0);
+      problem.PrescribeDisplacement(prefix + "x1", 0, 0.0);
+      problem.PrescribeDisplacement(prefix + "y0", 1, 0.0);
+      problem.PrescribeDisplacement(prefix + "y1", 1, 0.0);
+   }
+   problem.PrescribeDisplacement("lower_z0", 2, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 2, -descent);
+   problem.PrescribePressure("lower_z0", 0.0);
+   problem.PrescribePressure("upper_z1", patch.top_pressure);
+   ContactOptions contact;
+   contact.quadrature_order = patch.quadrature_order;
+   contact.gap_tolerance = 1e-10;
+   contact.pressure_tolerance = 1e-8;
+   problem.AddContact("upper_z0", "lower_z1", contact);
+   NonlinearOptions nonlinear;
+   nonlinear.linear.method = LinearMethod::direct;
+   nonlinear.linear.relative_tolerance = 1e-13;
+   problem.SetNonlinearOptions(nonlinear);
+
+   TimeOptions times;
+   times.step = long_time;
+   times.end = long_time;
+   TimeStepper stepper(problem, times);
+   const StepReport report = stepper.Step();
+   CAPTURE(report.reason);
+   REQUIRE(report.converged);
+
+   // div(sigma) = 0 and sigma = H u' - p: u' = (t + p) / H.
+   const real_t height = lower_height + upper_height;
+   const real_t slope = patch.top_pressure / height;
+   const real_t h1 = lower_solid.AggregateModulus();
+   const real_t h2 = upper_solid.AggregateModulus();
+   const real_t flexibility = lower_height / h1 + upper_height / h2;
+   const real_t swelling =
+      0.5 * slope *
+      (lower_height * lower_height / h1 +
+       (height * height - lower_height * lower_height) / h2);
+   const real_t traction = -(descent + swelling) / flexibility;
+   const auto lower_u = [&](real_t z)
+   { return (traction * z + 0.5 * slope * z * z) / h1; };
+   const auto upper_u = [&](real_t z)
+   {
+      const real_t a = lower_height;
+      return lower_u(a) +
+             (traction * (z - a) + 0.5 * slope * (z * z - a * a)) / h2;
+   };
+
+   const MPI_Comm comm = mesh.GetComm();
+   Errors errors;
+   const ContactPair &pair = *problem.Operator().Pairs().front();
+   for (const int j : pair.Destination().MultiplierTrueDofs())
+   {
+      errors.traction = std::max(errors.traction,
+                                 std::abs(pair.Traction()[j] / traction - 1.0));
+   }
+   errors.traction = MaxOver(comm, errors.traction);
+
+   VectorFunctionCoefficient exact_u(3,
+                                     [&](const Vector &x, Vector &u)
+                                     {
+                                        u = 0.0;
+                                        u[2] = lower_u(x[2]);
+                                     });
+   VectorFunctionCoefficient exact_upper_u(3,
+                                           [&](const Vector &x, Vector &u)
+                                           {
+                                              u = 0.0;
+                                              u[2] = upper_u(x[2]);
+                                           });
+   PWVectorCoefficient exact(3);
+   exact.UpdateCoefficient(1, exact_u);
+   exact.UpdateCoefficient(2, exact_upper_u);
+   ParGridFunction u_error(&problem.Spaces().Displacement());
+   u_error.ProjectCoefficient(exact);
+   u_error -= stepper.Displacement();
+   errors.displacement = MaxOver(comm, u_error.Normlinf()) / descent;
+   if (patch.top_pressure != 0.0)
+   {
+      FunctionCoefficient exact_p([&](const Vector &x)
+                                  { return slope * x[2]; });
+      ParGridFunction p_error(&problem.Spaces().Pressure());
+      p_error.ProjectCoefficient(exact_p);
+      p_error -= stepper.Pressure();
+      errors.pressure = MaxOver(comm, p_error.Normlinf()) / patch.top_pressure;
+   }
+   const ContactPair::Diagnostics forces = pair.Diagnose();
+   if (slope != 0.0)
+   {
+      errors.flux =
+         std::abs(forces.fluid_exchange / (permeability * slope) - 1.0);
+   }
+   for (int d = 0; d < 3; d++)
+   {
+      errors.balance =
+         std::max(errors.balance, std::abs(forces.source_force[d] +
+                                           forces.destination_force[d]) /
+                                     std::abs(forces.source_force[2]));
+   }
+   errors.area = forces.area;
+   return errors;
+}
+
+// The traction must not be off by more in the tests below.
+constexpr real_t one_percent = 0.01;
+constexpr real_t top_pressure = 0.1;
+
+void CheckBalance(const Errors &errors)
+{
+   CHECK(errors.balance <= 1e-10);
+   CHECK(errors.area == Approx(width * width).epsilon(1e-10));
+}
+
+Patch MakePatch(const std::array<int, 2> &cells)
+{
+   Patch patch;
+   patch.type = GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON);
+   patch.lower_cells = cells[0];
+   patch.upper_cells = cells[1];
+   return patch;
+}
+
+std::string Describe(const Patch &patch)
+{
+   return (patch.type == Element::HEXAHEDRON ? "hexahedra" : "tetrahedra") +
+          std::string(", order ") + std::to_string(patch.order) + ", " +
+          std::to_string(patch.lower_cells) + ":" +
+          std::to_string(patch.upper_cells);
+}
+} // namespace
+
+TEST_CASE("The traction of the patch test is uniform within 1 %")
+{
+   // The finer body below and above.
+   const std::array<int, 2> cells =
+      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3},
+               std::array<int, 2>{5, 7});
+   Patch patch = MakePatch(cells);
+   patch.order = GENERATE(1, 2);
+   INFO(Describe(patch));
+   const Errors errors = Solve(patch);
+   CHECK(errors.traction <= one_percent);
+   CheckBalance(errors);
+}
+
+TEST_CASE("The patch test converges with the order of the quadrature")
+{
+   Patch patch = MakePatch({{1, 1}});
+   patch.order = GENERATE(1, 2);
+   // Source faces put kinks into the integrands, so that the error goes with
+   // the square of the distance between the points, in the mean: on one mesh a
+   // lower order may do better by chance.
+   real_t first_traction = 0.0;
+   real_t first_displacement = 0.0;
+   real_t traction = 0.0;
+   real_t displacement = 0.0;
+   for (const int quadrature_order : {4, 8, 16, 24})
+   {
+      patch.quadrature_order = quadrature_order;
+      const real_t before = traction;
+      traction = 0.0;
+      displacement = 0.0;
+      for (const int upper_cells : {2, 4})
+      {
+         patch.lower_cells = 3;
+         patch.upper_cells = upper_cells;
+         INFO(Describe(patch));
+         const Errors errors = Solve(patch);
+         CheckBalance(errors);
+         traction = std::max(traction, errors.traction);
+         displacement = std::max(displacement, errors.displacement);
+      }
+      CAPTURE(Describe(patch), quadrature_order, before);
+      if (before > 0.0)
+      {
+         CHECK(traction < before);
+      }
+      else
+      {
+         first_traction = traction;
+         first_displacement = displacement;
+      }
+   }
+   CHECK(traction <= 0.1 * first_traction);
+   CHECK(displacement <= 0.1 * first_displacement);
+}
+
+TEST_CASE("Meshes that match pass the patch test exactly")
+{
+   Patch patch = MakePatch({{3, 3}});
+   patch.order = GENERATE(1, 2);
+   patch.top_pressure = patch.order == 2 ? top_pressure : 0.0;
+   INFO(Describe(patch));
+   const Errors errors = Solve(patch);
+   CHECK(errors.traction <= 1e-6);
+   CHECK(errors.displacement <= 1e-6);
+   CHECK(errors.pressure <= 1e-6);
+   CHECK(errors.flux <= 1e-6);
+   CheckBalance(errors);
+}
+
+TEST_CASE("A linear pressure passes through the interface")
+{
+   const std::array<int, 2> cells =
+      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3});
+   Patch patch = MakePatch(cells);
+   patch.top_pressure = top_pressure;
+   INFO(Describe(patch));
+   const Errors errors = Solve(patch);
+   CHECK(errors.traction <= one_percent);
+   CHECK(errors.pressure <= 0.5 * one_percent);
+   CHECK(errors.flux <= 1e-4);
+   CheckBalance(errors);
+   patch.quadrature_order = 24;
+   const Errors finer = Solve(patch);
+   CHECK(finer.traction <= one_percent);
+   CHECK(finer.pressure <= 1e-3);
+   CHECK(finer.flux <= 1e-5);
+}
