@@ -42,12 +42,19 @@ print_help()
    awk 'NR > 1 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$0"
 }
 
+# How many cores there are for us. nproc alone would answer with
+# OMP_NUM_THREADS, which is 1 here for the sake of MPI.
+cores()
+{
+   env -u OMP_NUM_THREADS nproc
+}
+
 # How many compilers to run at once: a file that includes mfem.hpp may take
 # 1.5 GB, so memory may allow fewer than there are cores.
 parallel_jobs()
 {
    local cores memory
-   cores=$(nproc)
+   cores=$(cores)
    memory=$(awk '/^MemAvailable:/ {print int($2 / 1500000)}' /proc/meminfo)
    ((memory >= 1)) || memory=1
    echo "${SYNOVIA_JOBS:-$((cores < memory ? cores : memory))}"
