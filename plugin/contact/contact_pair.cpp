@@ -121,7 +121,7 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
       v->SetSize(size);
       *v = 0.0;
    }
-   accepted = stored;
+   Accept();
 }
 
 bool ContactPair::Search(const Vector &u)
@@ -143,10 +143,11 @@ bool ContactPair::Search(const Vector &u)
          operators.area[j] = 0.0;
       }
    }
-   if (!searched)
+   searched = true;
+   if (!reached)
    {
       VerifyReach();
-      searched = true;
+      reached = true;
    }
    SetPenalties();
    return true;
@@ -317,6 +318,60 @@ void ContactPair::Predict(real_t time)
 }
 
 ContactPair::Diagnostics ContactPair::Diagnose() const
+std::array<Vector *, 10> ContactPair::WorkingVectors()
+{
+   return {
+      &multiplier, &flux_multiplier, &gap,     &jump,        &traction,
+      &flux,       &active,          &sealing, &gap_weights, &jump_weights};
+}
+
+void ContactPair::Accept()
+{
+   accepted = stored;
+   const std::array<Vector *, 10> working = WorkingVectors();
+   for (std::size_t i = 0; i < working.size(); i++)
+   {
+      accepted_vectors[i] = *working[i];
+   }
+}
+
+void ContactPair::Restore()
+{
+   stored = accepted;
+   const std::array<Vector *, 10> working = WorkingVectors();
+   for (std::size_t i = 0; i < working.size(); i++)
+   {
+      *working[i] = accepted_vectors[i];
+   }
+}
+
+void ContactPair::Archive(StateArchive &archive)
+{
+   ParFiniteElementSpace &space = source.Spaces().Multiplier();
+   const char *times[2] = {"before_last", "last"};
+   for (int i = 0; i < 2; i++)
+   {
+      const std::string prefix = "contact." + name + "." + times[i] + ".";
+      archive.Number(prefix + "time", accepted.time[i]);
+      archive.Field(prefix + "traction", space, accepted.multiplier[i]);
+      archive.Field(prefix + "flux", space, accepted.flux_multiplier[i]);
+   }
+   const char *names[10] = {"multiplier",  "flux_multiplier", "gap",
+                            "jump",        "traction",        "flux",
+                            "active",      "sealing",         "gap_weights",
+                            "jump_weights"};
+   for (std::size_t i = 0; i < accepted_vectors.size(); i++)
+   {
+      archive.Field("contact." + name + "." + names[i], space,
+                    accepted_vectors[i]);
+   }
+   archive.Flag("contact." + name + ".reached", reached);
+   if (archive.Reads())
+   {
+      Restore();
+   }
+}
+
 {
    Diagnostics result;
    Vector momentum(operators.gap->Width());

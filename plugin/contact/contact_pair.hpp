@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/gap_operators.hpp"
+#include "general/state_archive.hpp"
 #include "materials/material_table.hpp"
 
 #include <memory>
@@ -124,9 +125,13 @@ public:
    /// two that were stored, as far as there are.
    void Predict(mfem::real_t time);
 
-   /// Remembers what was stored, and goes back to what was remembered.
-   void Accept() { accepted = stored; }
-   void Restore() { stored = accepted; }
+   /// Remembers everything that a step changes, and goes back to what was
+   /// remembered, but for the gap operators: the next Search() makes those.
+   void Accept();
+   void Restore();
+
+   /// Lists what was remembered; reading sets it. Collective.
+   void Archive(StateArchive &archive);
 
    /// What there is to report of the last Evaluate() and UpdateActiveSet().
    struct Diagnostics
@@ -157,6 +162,8 @@ private:
    void VerifyReach() const;
 
    std::string name;
+   /// What Evaluate(), UpdateActiveSet() and Augment() set.
+   std::array<mfem::Vector *, 10> WorkingVectors();
    MPI_Comm comm;
    ContactOptions options;
    mfem::Array<int> destination_boundary;
@@ -172,6 +179,7 @@ private:
    bool searched = false;
 
    mfem::Vector penalty;
+   bool reached = false;
    mfem::Vector pressure_penalty;
    mfem::Vector multiplier;
    mfem::Vector flux_multiplier;
@@ -186,6 +194,7 @@ private:
    Past accepted;
    mfem::Vector gap;
    mfem::Vector jump;
+   std::array<mfem::Vector, 10> accepted_vectors;
    mfem::Vector traction;
    mfem::Vector flux;
    mfem::Vector active;

@@ -44,11 +44,10 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
      spaces(spaces_), conditions(conditions_), pairs(std::move(pairs_)),
      const_pairs(pairs.begin(), pairs.end()), options(options_),
      matrices(AssembleTimed(times.assembly, spaces, materials)), rate(height),
-     accepted_rate(height), support(spaces.Offsets()[1])
+     support(spaces.Offsets()[1])
 {
    const PhaseTimer timer(times.assembly);
    rate = 0.0;
-   accepted_rate = 0.0;
    support = 0.0;
    jacobian = std::make_unique<BiphasicJacobian>(
       matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs);
@@ -70,6 +69,7 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
       vertex_interpolation->Finalize();
       vertices_to_pressure.reset(vertex_interpolation->ParallelAssemble());
    }
+   AcceptStep();
 }
 
 void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
@@ -113,7 +113,11 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
 
 void BiphasicOperator::AcceptStep()
 {
-   accepted_rate = rate;
+   accepted.rate = rate;
+   accepted.started = started;
+   accepted.support = support;
+   accepted.fluid = fluid;
+   accepted.drained = jacobian->PressureDofs();
    for (ContactPair *pair : pairs)
    {
       pair->Accept();
@@ -122,10 +126,33 @@ void BiphasicOperator::AcceptStep()
 
 void BiphasicOperator::RejectStep()
 {
-   rate = accepted_rate;
+   rate = accepted.rate;
+   started = accepted.started;
+   support = accepted.support;
+   fluid = accepted.fluid;
+   jacobian->SetPressureDofs(accepted.drained);
    for (ContactPair *pair : pairs)
    {
       pair->Restore();
+   }
+}
+
+void BiphasicOperator::Archive(StateArchive &archive)
+{
+   Vector velocity(accepted.rate, 0, spaces.Offsets()[1]);
+   Vector pressure_rate(accepted.rate, spaces.Offsets()[1],
+                        spaces.Offsets()[2] - spaces.Offsets()[1]);
+   archive.Field("rate.displacement", spaces.Displacement(), velocity);
+   archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
+   archive.Flag("started", accepted.started);
+   for (ContactPair *pair : pairs)
+   {
+      pair->Archive(archive);
+   }
+   if (archive.Reads())
+   {
+      rate = accepted.rate;
+      started = accepted.started;
    }
 }
 
@@ -154,10 +181,15 @@ void BiphasicOperator::Search(const Stage &stage)
 bool BiphasicOperator::UpdateContact(Stage &stage, bool keep_seals)
 {
    bool changed = false;
+   unsettled.clear();
    for (ContactPair *pair : pairs)
    {
       pair->Evaluate(stage.u, stage.p);
-      changed = pair->UpdateActiveSet(keep_seals) || changed;
+      if (pair->UpdateActiveSet(keep_seals))
+      {
+         changed = true;
+         unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
+      }
    }
    if (changed)
    {
@@ -406,6 +438,10 @@ bool BiphasicOperator::SolveContact(Stage &stage,
       {
          return true;
       }
+      if (!std::isfinite(norm))
+      {
+         return Fail("the residual is not a finite number");
+      }
       // What decides the active set need not be exact; a settled set is
       // solved to the end.
       const real_t target =
@@ -428,8 +464,12 @@ bool BiphasicOperator::SolveContact(Stage &stage,
       stage.p += step.GetBlock(1);
       UpdateContact(stage, iteration >= free_seals);
    }
-   return Fail("the contact's active set did not settle in " +
-               std::to_string(options.max_newton) + " iterations");
+   return Fail(unsettled.empty()
+                  ? "Newton's method did not converge in " +
+                       std::to_string(options.max_newton) + " iterations"
+                  : "the contact's active set did not settle in " +
+                       std::to_string(options.max_newton) +
+                       " iterations: " + unsettled);
 }
 
 void BiphasicOperator::RecordBalance(const Stage &stage)

@@ -73,7 +73,11 @@ public:
 
    void BeginStep() { report = SolveReport(); }
    void AcceptStep();
+   /// Goes back to what was accepted last: rates, multipliers, active and
+   /// sealing sets, drained dofs, support forces and fluid balance.
    void RejectStep();
+   /// Lists what the next step needs of those accepted. Collective.
+   void Archive(StateArchive &archive);
    const SolveReport &Report() const { return report; }
    const PhaseTimes &Times() const { return times; }
 
@@ -145,12 +149,22 @@ private:
    std::unique_ptr<mfem::ParDiscreteLinearOperator> vertex_interpolation;
    std::unique_ptr<mfem::HypreParMatrix> vertices_to_pressure;
    mfem::Array<int> contact_pressure_dofs;
-   mfem::Vector rate;
-   mfem::Vector accepted_rate;
-   bool started = false;
    SolveReport report;
+   /// Names of the pairs whose active set the last UpdateContact() changed.
+   std::string unsettled;
+   /// Rate of the last stage, a first guess for the next one.
+   mfem::Vector rate;
+   bool started = false;
    mfem::Vector support;
    FluidBalance fluid;
+   struct
+   {
+      mfem::Vector rate;
+      bool started = false;
+      mfem::Vector support;
+      FluidBalance fluid;
+      mfem::Array<int> drained;
+   } accepted;
 };
 
 } // namespace synovia
