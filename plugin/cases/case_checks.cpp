@@ -1,0 +1,356 @@
+#include "cases/case_checks.hpp"
+#include "general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// More steps than anybody waits for: a slip of the pen in step or end.
+constexpr real_t most_steps = 1e7;
+// Names of pairs and lines become parts of file names.
+constexpr size_t longest_name = 100;
+
+std::string Path(const std::string &list, size_t i, const std::string &key = "")
+{
+   return list + "." + std::to_string(i) + (key.empty() ? "" : "." + key);
+}
+
+/// Complains about the second of two entries with the same name.
+class Once
+{
+public:
+   explicit Once(CaseReading &reading_) : reading(reading_) {}
+
+   void Enter(const std::string &name, const std::string &path,
+              const std::string &problem)
+   {
+      const auto [first, fresh] = paths.emplace(name, path);
+      if (!fresh)
+      {
+         reading.Complain(path, problem + " (" +
+                                   WhereIs(reading.Places(), first->second) +
+                                   ")");
+      }
+   }
+
+private:
+   CaseReading &reading;
+   std::map<std::string, std::string> paths;
+};
+
+void CheckNames(const std::vector<std::string> &names, const std::string &path,
+                const std::string &kind, CaseReading &reading)
+{
+   if (names.empty() && !reading.Complained(path))
+   {
+      reading.Complain(path, "no " + kind + " is named; name at least one");
+   }
+   std::set<std::string> seen;
+   for (size_t i = 0; i < names.size(); i++)
+   {
+      if (names[i].empty())
+      {
+         reading.Complain(Path(path, i), "the name is empty");
+      }
+      else if (!seen.insert(names[i]).second)
+      {
+         reading.Complain(Path(path, i), Quoted(names[i]) + " is named twice");
+      }
+   }
+}
+
+// For what becomes a part of file names and of the history's columns.
+void CheckFileName(const std::string &name, const std::string &path,
+                   CaseReading &reading)
+{
+   if (name.find_first_of("/\\,\"'") != std::string::npos || name[0] == '.' ||
+       name.size() > longest_name)
+   {
+      reading.Complain(path, "found the name " + Quoted(name) +
+                                "; it must have at most " +
+                                std::to_string(longest_name) +
+                                " letters, no slash, comma or quote, and no "
+                                "dot in front");
+   }
+}
+
+void CheckMaterials(const CaseFile &setup, CaseReading &reading)
+{
+   if (setup.materials.empty() && !reading.Complained("material"))
+   {
+      reading.Complain("material", "there is no material; every region needs "
+                                   "one");
+   }
+   Once once(reading);
+   for (size_t i = 0; i < setup.materials.size(); i++)
+   {
+      const std::string path = Path("material", i, "regions");
+      const std::vector<std::string> &regions = setup.materials[i].regions;
+      CheckNames(regions, path, "region", reading);
+      const std::set<std::string> distinct(regions.begin(), regions.end());
+      for (const std::string &region : distinct)
+      {
+         once.Enter(region, path,
+                    "the region " + Quoted(region) + " has a material already");
+      }
+   }
+}
+
+constexpr const char *axes[3] = {"x", "y", "z"};
+
+/// What is prescribed where, to find what is prescribed twice.
+class Prescriptions
+{
+public:
+   explicit Prescriptions(CaseReading &reading) : once(reading) {}
+
+   void Enter(const BoundaryCase &boundary, const std::string &surface,
+              const std::string &path)
+   {
+      const std::string at = " on " + Quoted(surface);
+      for (int d = 0; d < 3; d++)
+      {
+         const bool loaded =
+            boundary.traction && !IsZero((*boundary.traction)[d]);
+         if (boundary.displacement[d] || loaded)
+         {
+            // A load on what doesn't give would come to nothing.
+            once.Enter(surface + '\n' + axes[d],
+                       path + (boundary.displacement[d] ? ".displacement"
+                                                        : ".traction"),
+                       std::string("displacement or traction along ") +
+                          axes[d] + at + " is prescribed already");
+         }
+         if (boundary.displacement[d] && loaded)
+         {
+            once.Enter(surface + '\n' + axes[d], path + ".traction",
+                       std::string("displacement along ") + axes[d] + at +
+                          " is prescribed already");
+         }
+      }
+      if (boundary.pressure)
+      {
+         once.Enter(surface + "\nfluid", path + ".pressure",
+                    "pressure or flux" + at + " is prescribed already");
+      }
+      if (boundary.normal_flux)
+      {
+         once.Enter(surface + "\nfluid", path + ".normal_flux",
+                    "pressure or flux" + at + " is prescribed already");
+      }
+      if (boundary.normal_traction)
+      {
+         once.Enter(surface + "\nnormal", path + ".normal_traction",
+                    "the normal traction" + at + " is prescribed already");
+      }
+   }
+
+private:
+   static bool IsZero(const LoadCurve &curve)
+   {
+      const std::vector<real_t> &times = curve.Corners();
+      return std::all_of(times.begin(), times.end(),
+                         [&](real_t t) { return curve(t) == 0.0; });
+   }
+
+   Once once;
+};
+
+void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
+{
+   Prescriptions prescriptions(reading);
+   for (size_t i = 0; i < setup.boundaries.size(); i++)
+   {
+      const BoundaryCase &boundary = setup.boundaries[i];
+      const std::string path = Path("boundary", i);
+      CheckNames(boundary.surfaces, path + ".surfaces", "surface", reading);
+      const auto &u = boundary.displacement;
+      const bool idle = !u[0] && !u[1] && !u[2] && !boundary.pressure &&
+                        !boundary.traction && !boundary.normal_traction &&
+                        !boundary.normal_flux;
+      bool complained = false;
+      for (const char *key :
+           {"displacement", "pressure", "traction", "normal_traction",
+            "normal_flux", "spring", "force"})
+      {
+         complained = complained || reading.Places().count(path + "." + key);
+      }
+      if (idle && !complained)
+      {
+         reading.Complain(path,
+                          "nothing is prescribed here; give displacement, "
+                          "pressure, traction, normal_traction or "
+                          "normal_flux");
+      }
+      const std::set<std::string> distinct(boundary.surfaces.begin(),
+                                           boundary.surfaces.end());
+      for (const std::string &surface : distinct)
+      {
+         prescriptions.Enter(boundary, surface, path);
+         if ((u[0] || u[1] || u[2]) &&
+             surface.find_first_of(",\"'/\\") != std::string::npos)
+         {
+            reading.Complain(path + ".surfaces",
+                             "the name " + Quoted(surface) +
+                                " cannot be a column of the history, for it "
+                                "has a comma, a quote or a slash; rename the "
+                                "physical surface");
+         }
+      }
+   }
+}
+
+void CheckContacts(const CaseFile &setup, CaseReading &reading)
+{
+   Once names(reading);
+   Once pairs(reading);
+   std::map<std::string, std::string> held;
+   for (size_t i = 0; i < setup.boundaries.size(); i++)
+   {
+      const BoundaryCase &boundary = setup.boundaries[i];
+      for (const std::string &surface : boundary.surfaces)
+      {
+         if (boundary.pressure || boundary.normal_flux)
+         {
+            held[surface] = Path(
+               "boundary", i, boundary.pressure ? "pressure" : "normal_flux");
+         }
+      }
+   }
+   for (size_t i = 0; i < setup.contacts.size(); i++)
+   {
+      const ContactCase &contact = setup.contacts[i];
+      const std::string path = Path("contact", i);
+      CheckNames(contact.source, path + ".source", "surface", reading);
+      CheckNames(contact.destination, path + ".destination", "surface",
+                 reading);
+      const std::set<std::string> source(contact.source.begin(),
+                                         contact.source.end());
+      for (const std::string &surface : contact.destination)
+      {
+         if (source.count(surface))
+         {
+            reading.Complain(path + ".destination",
+                             Quoted(surface) + " is in the source too; a "
+                                               "surface can't touch itself");
+         }
+      }
+      for (const auto *side : {&contact.source, &contact.destination})
+      {
+         for (const std::string &surface : *side)
+         {
+            const auto found = held.find(surface);
+            if (found != held.end())
+            {
+               reading.Complain(
+                  found->second,
+                  "the fluid on " + Quoted(surface) +
+                     " is the contact pair's: sealed where it touches, free "
+                     "to drain elsewhere (" +
+                     WhereIs(reading.Places(), path) + ")");
+               held.erase(found);
+            }
+         }
+      }
+      if (!contact.source.empty() && !contact.destination.empty())
+      {
+         const std::string name = contact.Name();
+         names.Enter(name, path,
+                     "a contact pair is called " + Quoted(name) +
+                        " already; give this one another name");
+         CheckFileName(name, path + ".name", reading);
+         for (const std::string &a : source)
+         {
+            for (const std::string &b : contact.destination)
+            {
+               pairs.Enter(std::min(a, b) + '\n' + std::max(a, b), path,
+                           Quoted(a) + " and " + Quoted(b) +
+                              " are in a contact pair already");
+            }
+         }
+      }
+      if (contact.options.quadrature_order == 3)
+      {
+         reading.Complain(path + ".quadrature_order",
+                          "is 3, which has negative weights; take 4");
+      }
+   }
+}
+
+void CheckTimes(const CaseFile &setup, CaseReading &reading)
+{
+   const TimeCase &time = setup.time;
+   if (time.end > 0.0 && time.step > 0.0 && time.end / time.step > most_steps)
+   {
+      reading.Complain("time.step", "the end time of " + ToText(time.end) +
+                                       " would take " +
+                                       ToText(time.end / time.step) +
+                                       " steps; that is too many");
+   }
+}
+
+void CheckOutput(const CaseFile &setup, CaseReading &reading)
+{
+   if (setup.output.directory.empty())
+   {
+      reading.Complain("output.directory", "the name is empty");
+   }
+   Once names(reading);
+   for (size_t i = 0; i < setup.output.lines.size(); i++)
+   {
+      const LineCase &line = setup.output.lines[i];
+      const std::string path = Path("output.line", i);
+      if (line.line.name.empty())
+      {
+         if (!reading.Complained(path + ".name"))
+         {
+            reading.Complain(path + ".name", "the name is empty");
+         }
+      }
+      else
+      {
+         names.Enter(line.line.name, path + ".name",
+                     "a line is called " + Quoted(line.line.name) + " already");
+         CheckFileName(line.line.name, path + ".name", reading);
+      }
+      if (line.line.from == line.line.to &&
+          !reading.Complained(path + ".from") &&
+          !reading.Complained(path + ".to"))
+      {
+         reading.Complain(path, "the line has no length");
+      }
+      for (size_t k = 0; k < line.times.size(); k++)
+      {
+         if (!(line.times[k] > 0.0))
+         {
+            reading.Complain(Path(path + ".times", k),
+                             "is " + ToText(line.times[k]) +
+                                "; it must be positive");
+         }
+      }
+   }
+}
+} // namespace
+
+void CheckConsistency(const CaseFile &setup, CaseReading &reading)
+{
+   if (setup.mesh.file.empty() && !reading.Complained("mesh.file"))
+   {
+      reading.Complain("mesh.file", "the name is empty");
+   }
+   CheckMaterials(setup, reading);
+   CheckBoundaries(setup, reading);
+   CheckContacts(setup, reading);
+   CheckTimes(setup, reading);
+   CheckOutput(setup, reading);
+}
+
+} // namespace synovia

@@ -1,0 +1,152 @@
+#include "cases/case_file.hpp"
+#include "cases/case_checks.hpp"
+#include "cases/case_keys.hpp"
+#include "general/error.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace synovia
+{
+
+namespace
+{
+// No case is that long; a mesh given by mistake may be.
+constexpr std::uintmax_t longest_file = 4 << 20;
+
+/// The text of the file, or what is wrong with it.
+std::string ReadText(const std::string &file, std::string &text)
+{
+   std::error_code error;
+   const std::filesystem::file_status status =
+      std::filesystem::status(file, error);
+   if (!std::filesystem::exists(status))
+   {
+      return "there is no such file";
+   }
+   if (std::filesystem::is_directory(status))
+   {
+      return "this is a directory; name the case file in it";
+   }
+   if (std::filesystem::is_regular_file(status) &&
+       std::filesystem::file_size(file, error) > longest_file)
+   {
+      return "the file is too long for a case; is it a mesh?";
+   }
+   errno = 0;
+   std::ifstream stream(file, std::ios::binary);
+   std::string block(1 << 16, '\0');
+   while (stream && text.size() <= longest_file)
+   {
+      stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+      text.append(block, 0, static_cast<size_t>(stream.gcount()));
+   }
+   if (text.size() > longest_file)
+   {
+      return "the file is too long for a case";
+   }
+   if (!stream.eof())
+   {
+      return std::string("cannot be read: ") + std::strerror(errno);
+   }
+   return "";
+}
+
+void Broadcast(std::string &text, MPI_Comm comm)
+{
+   int length = static_cast<int>(text.size());
+   MPI_Bcast(&length, 1, MPI_INT, 0, comm);
+   text.resize(length);
+   MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
+}
+
+// One in a file is beside it, one from the command line where the user is.
+void ResolveMeshFile(CaseFile &setup, const std::string &source)
+{
+   const auto place = setup.places.find("mesh.file");
+   const bool in_file = place != setup.places.end() && place->second.line > 0;
+   if (in_file && !setup.mesh.file.empty())
+   {
+      setup.mesh.file =
+         (std::filesystem::path(source).parent_path() / setup.mesh.file)
+            .string();
+   }
+}
+
+void Check(CaseFile &setup, CaseReading &reading)
+{
+   CaseKeys(setup).Check("", reading);
+   CheckConsistency(setup, reading);
+   reading.ThrowIfAny();
+}
+} // namespace
+
+std::string ContactCase::Name() const
+{
+   if (!name.empty() || source.empty() || destination.empty())
+   {
+      return name;
+   }
+   return source.front() + "-" + destination.front();
+}
+
+CaseFile ParseCase(const std::string &text, const std::string &source,
+                   const std::vector<std::string> &overrides)
+{
+   CaseValue root = ParseToml(text, source);
+   root.place = {source, 0, 0};
+   for (const std::string &assignment : overrides)
+   {
+      Override(root, assignment);
+   }
+   CaseFile setup;
+   CaseReading reading;
+   reading.SetPlace("", root.place);
+   CaseKeys(setup).Read(root, "", reading);
+   Check(setup, reading);
+   setup.places = reading.Places();
+   ResolveMeshFile(setup, source);
+   return setup;
+}
+
+CaseFile ReadCase(const std::string &file, MPI_Comm comm,
+                  const std::vector<std::string> &overrides)
+{
+   int rank = 0;
+   MPI_Comm_rank(comm, &rank);
+   std::string text;
+   const std::string problem = rank == 0 ? ReadText(file, text) : "";
+   ThrowIfAny(comm, problem.empty() ? problem : file + ": " + problem);
+   Broadcast(text, comm);
+   return ParseCase(text, file, overrides);
+}
+
+void CheckCase(const CaseFile &setup)
+{
+   CaseReading reading(setup.places);
+   CaseFile copy(setup);
+   Check(copy, reading);
+}
+
+void WriteCase(const CaseFile &setup, std::ostream &out)
+{
+   CaseFile copy(setup);
+   copy.mesh.file = std::filesystem::absolute(copy.mesh.file).string();
+   CaseKeys(copy).Write(out);
+}
+
+void ListCaseKeys(std::ostream &out)
+{
+   CaseFile standard;
+   CaseKeys(standard).List(out);
+   out << "\nA list of tables has one [[key]] for each of its entries, which "
+          "--set counts from 0\n(material.0.solid.E) or names "
+          "(contact.NAME.penalty). A curve is "
+       << CurveForms()
+       << ",\nlinear between the points and constant before and after.\n";
+}
+
+} // namespace synovia

@@ -1,0 +1,192 @@
+#pragma once
+
+#include "cases/case_reading.hpp"
+#include "general/load_curve.hpp"
+#include "io/line_sampler.hpp"
+#include "physics/biphasic_problem.hpp"
+#include "solvers/time_stepper.hpp"
+
+#include <array>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+// What a case file says, as plain structs: a file fills them, or a program.
+// Units are the case's own consistent set. `synovia --dry-schema` lists the
+// keys that stand for the members.
+
+struct MeshCase
+{
+   /// In a file, relative to its directory.
+   std::string file;
+   ReadOptions options;
+};
+
+enum class SolidModel
+{
+   isotropic,
+   transversely_isotropic
+};
+
+struct SolidCase
+{
+   SolidModel model = SolidModel::isotropic;
+   /// Young's modulus (stress) and Poisson's ratio of the drained solid.
+   mfem::real_t young = 0.0;
+   mfem::real_t poisson = 0.0;
+   /// Transversely isotropic: fibres along theta.
+   mfem::real_t young_r = 0.0;
+   mfem::real_t young_theta = 0.0;
+   mfem::real_t poisson_rtheta = 0.0;
+   mfem::real_t poisson_rz = 0.0;
+   mfem::real_t shear_rtheta = 0.0;
+};
+
+enum class PermeabilityModel
+{
+   constant
+};
+
+struct PermeabilityCase
+{
+   PermeabilityModel model = PermeabilityModel::constant;
+   /// length^4 / (force time)
+   mfem::real_t value = 0.0;
+};
+
+enum class FrameType
+{
+   cartesian,
+   cylindrical
+};
+
+/// The axes of an anisotropic material.
+struct FrameCase
+{
+   FrameType type = FrameType::cartesian;
+   std::array<mfem::real_t, 3> origin{{0.0, 0.0, 0.0}};
+   std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
+};
+
+struct MaterialCase
+{
+   std::vector<std::string> regions;
+   SolidCase solid;
+   PermeabilityCase permeability;
+   mfem::real_t solid_fraction = 0.2;
+   FrameCase frame;
+};
+
+/// Springs per area, between the surface and a fixed base.
+struct SpringCase
+{
+   mfem::real_t stiffness = 0.0;
+   std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
+};
+
+/// A rigidly moving surface, driven by its resultant.
+struct ForceCase
+{
+   std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
+   std::optional<LoadCurve> curve;
+};
+
+struct BoundaryCase
+{
+   std::vector<std::string> surfaces;
+   /// By component (length); none: free.
+   std::array<std::optional<LoadCurve>, 3> displacement;
+   /// Fluid pressure (stress).
+   std::optional<LoadCurve> pressure;
+   /// Total traction by component (stress).
+   std::optional<std::array<LoadCurve, 3>> traction;
+   /// Total traction along the outward normal, positive in tension (stress).
+   std::optional<LoadCurve> normal_traction;
+   /// Outward relative flux (length / time).
+   std::optional<LoadCurve> normal_flux;
+   SpringCase spring;
+   ForceCase force;
+};
+
+struct ContactCase
+{
+   /// Of the pair in the output; if empty, made of the first source and the
+   /// first destination.
+   std::string name;
+   std::vector<std::string> source;
+   std::vector<std::string> destination;
+   ContactOptions options;
+
+   std::string Name() const;
+};
+
+struct TimeCase
+{
+   mfem::real_t end = 0.0;
+   mfem::real_t step = 0.0;
+   TimeScheme scheme = TimeScheme::backward_euler;
+   bool adaptive = false;
+   /// 0: derived from step.
+   mfem::real_t min_step = 0.0;
+   mfem::real_t max_step = 0.0;
+};
+
+struct LineCase
+{
+   LineDefinition line;
+   /// When it is sampled; empty: at the end.
+   std::vector<mfem::real_t> times;
+};
+
+struct OutputCase
+{
+   std::string directory = "out";
+   /// Steps from one to the next; 0: never, and no fields of the end either.
+   int fields_every = 1;
+   int checkpoint_every = 10;
+   std::vector<LineCase> lines;
+};
+
+struct CaseFile
+{
+   std::string title;
+   MeshCase mesh;
+   SpaceOptions space;
+   std::vector<MaterialCase> materials;
+   std::vector<BoundaryCase> boundaries;
+   std::vector<ContactCase> contacts;
+   TimeCase time;
+   NonlinearOptions solver;
+   OutputCase output;
+
+   /// Where the keys were written, for messages; empty if a program did it.
+   CasePlaces places;
+};
+
+/// Reads a case from TOML and applies @a overrides, each key.path=value, in
+/// order. @a source names the text in messages, and its directory is where a
+/// relative mesh file is looked for. Throws Error that lists what is wrong:
+/// what isn't TOML, unknown keys, wrong types, numbers out of range, what is
+/// missing, and contradictions within the case.
+CaseFile ParseCase(const std::string &text, const std::string &source,
+                   const std::vector<std::string> &overrides = {});
+
+/// The same for a file. Collective: rank 0 reads, and all ranks throw alike.
+CaseFile ReadCase(const std::string &file, MPI_Comm comm,
+                  const std::vector<std::string> &overrides = {});
+
+/// Throws Error, as ParseCase() does, if the numbers of a case are out of range
+/// or the case contradicts itself: for one that a program made.
+void CheckCase(const CaseFile &setup);
+
+/// Writes the case as TOML that reads back the same, with all defaults.
+void WriteCase(const CaseFile &setup, std::ostream &out);
+
+/// Lists every key of a case file with its type, default, unit and meaning.
+void ListCaseKeys(std::ostream &out);
+
+} // namespace synovia

@@ -1,0 +1,349 @@
+#include "cases/case_keys.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// More would not be a mesh or a space that fits into any memory.
+constexpr int most_refinements = 6;
+constexpr int highest_order = 8;
+constexpr int most_points = 1000000;
+
+const char *const length = "length";
+const char *const stress = "stress";
+const char *const time_unit = "time";
+
+KeyTable MeshKeys(MeshCase &mesh)
+{
+   KeyTable keys;
+   keys
+      .Value("file", mesh.file, "",
+             "gmsh mesh, relative to the directory of the case file")
+      .Required();
+   keys.Value("scale", mesh.options.scale, "", "factor on all coordinates")
+      .Positive();
+   keys
+      .Value("refine", mesh.options.refine, "",
+             "how often every element is split uniformly")
+      .From(0, most_refinements);
+   return keys;
+}
+
+KeyTable SpaceKeys(SpaceOptions &space)
+{
+   KeyTable keys;
+   keys
+      .Value("order", space.order, "",
+             "order of the displacement, the pressure has one less; 1 is "
+             "stabilised equal order")
+      .From(1, highest_order)
+      .Named("the order of the displacement");
+   return keys;
+}
+
+KeyTable SolidKeys(SolidCase &solid)
+{
+   const char *const isotropic = "isotropic";
+   const char *const fibres = "transversely_isotropic";
+   KeyTable keys;
+   keys.Word<SolidModel>(
+      "model", solid.model,
+      {{isotropic, SolidModel::isotropic},
+       {std::string(fibres) + "*", SolidModel::transversely_isotropic}},
+      "law of the drained solid");
+   keys.Value("E", solid.young, stress, "Young's modulus")
+      .OnlyFor(isotropic)
+      .Required()
+      .Positive()
+      .Named("Young's modulus");
+   keys.Value("nu", solid.poisson, "", "Poisson's ratio")
+      .OnlyFor(isotropic)
+      .Required()
+      .Inside(-1.0, 0.5)
+      .Named("Poisson's ratio");
+   keys.Value("E_r", solid.young_r, stress, "Young's modulus across the fibres")
+      .OnlyFor(fibres)
+      .Required()
+      .Positive();
+   keys
+      .Value("E_theta", solid.young_theta, stress,
+             "Young's modulus along the fibres")
+      .OnlyFor(fibres)
+      .Required()
+      .Positive();
+   keys
+      .Value("nu_rtheta", solid.poisson_rtheta, "",
+             "contraction along the fibres under tension across them")
+      .OnlyFor(fibres)
+      .Required();
+   keys
+      .Value("nu_rz", solid.poisson_rz, "", "Poisson's ratio across the fibres")
+      .OnlyFor(fibres)
+      .Required();
+   keys
+      .Value("G_rtheta", solid.shear_rtheta, stress,
+             "shear modulus along the fibres")
+      .OnlyFor(fibres)
+      .Required()
+      .Positive();
+   return keys;
+}
+
+KeyTable PermeabilityKeys(PermeabilityCase &permeability)
+{
+   KeyTable keys;
+   keys.Word<PermeabilityModel>("model", permeability.model,
+                                {{"constant", PermeabilityModel::constant}},
+                                "law of the permeability");
+   keys
+      .Value("value", permeability.value, "length^4/(force time)",
+             "permeability kappa: the flux is -kappa grad p")
+      .OnlyFor("constant")
+      .Required()
+      .Positive()
+      .Named("the permeability");
+   return keys;
+}
+
+KeyTable FrameKeys(FrameCase &frame)
+{
+   KeyTable keys;
+   keys.Word<FrameType>("type", frame.type,
+                        {{"cartesian", FrameType::cartesian},
+                         {"cylindrical", FrameType::cylindrical}},
+                        "kind of axes");
+   keys.Value("origin", frame.origin, length, "point on the axis");
+   keys.Value("axis", frame.axis, "", "direction of the axis");
+   return keys;
+}
+
+KeyTable MaterialKeys(MaterialCase &material)
+{
+   KeyTable keys;
+   keys.Value("regions", material.regions, "", "where: physical volumes")
+      .Required();
+   keys.Table("solid", SolidKeys(material.solid), "");
+   keys.Table("permeability", PermeabilityKeys(material.permeability), "");
+   keys
+      .Value("solid_fraction", material.solid_fraction, "",
+             "volume fraction of the solid")
+      .Inside(0.0, 1.0)
+      .Named("the solid fraction");
+   keys.Table("frame", FrameKeys(material.frame), "").NotYet();
+   return keys;
+}
+
+KeyTable SpringKeys(SpringCase &spring)
+{
+   KeyTable keys;
+   keys
+      .Value("stiffness", spring.stiffness, "stress/length",
+             "of springs per area")
+      .Positive();
+   keys.Value("direction", spring.direction, "", "of the springs");
+   return keys;
+}
+
+KeyTable ForceKeys(ForceCase &force)
+{
+   KeyTable keys;
+   keys.Value("direction", force.direction, "", "of the resultant");
+   keys.Value("curve", force.curve, "force", "the resultant in time");
+   return keys;
+}
+
+KeyTable BoundaryKeys(BoundaryCase &boundary)
+{
+   KeyTable keys;
+   keys.Value("surfaces", boundary.surfaces, "", "where: physical surfaces")
+      .Required();
+   keys.Value("displacement", boundary.displacement, length,
+              "prescribed, by component");
+   keys.Value("pressure", boundary.pressure, stress,
+              "prescribed fluid pressure; impermeable if there is none");
+   keys.Value("traction", boundary.traction, stress,
+              "total traction, by component");
+   keys.Value("normal_traction", boundary.normal_traction, stress,
+              "total traction along the outward normal, positive in tension");
+   keys.Value("normal_flux", boundary.normal_flux, "length/time",
+              "outward relative flux of the fluid");
+   keys
+      .Table("spring", SpringKeys(boundary.spring),
+             "springs between the surface and a fixed base")
+      .NotYet();
+   keys
+      .Table("force", ForceKeys(boundary.force),
+             "moves the surface rigidly by a resultant")
+      .NotYet();
+   return keys;
+}
+
+KeyTable ContactKeys(ContactCase &contact)
+{
+   ContactOptions &options = contact.options;
+   KeyTable keys;
+   keys.Value("name", contact.name, "",
+              "of the pair in the output; made of source and destination if "
+              "left out");
+   keys.Value("source", contact.source, "", "physical surfaces of one side")
+      .Required();
+   keys
+      .Value("destination", contact.destination, "",
+             "physical surfaces of the other side, which carries the contact "
+             "traction: the finer one")
+      .Required();
+   keys.Auto("penalty", options.penalty, "stress/length",
+             "of the gap; derived from the softer side");
+   keys.Auto("pressure_penalty", options.pressure_penalty,
+             "length/(stress time)",
+             "of the pressure jump; derived from the less permeable side");
+   keys
+      .Value("penalty_factor", options.penalty_factor, "",
+             "factor of both derived penalties")
+      .Positive()
+      .Named("penalty_factor");
+   keys.Auto("gap_tolerance", options.gap_tolerance, length,
+             "largest gap left in contact; 1e-5 of the destination's "
+             "thickness");
+   keys
+      .Value("pressure_tolerance", options.pressure_tolerance, "",
+             "largest pressure jump left in contact, of the peak pressure")
+      .Positive();
+   keys.Auto("search_radius", options.search_radius, length,
+             "how far the destination looks for the source; the destination's "
+             "thickness");
+   keys.Word<SearchConfiguration>(
+      "configuration", options.configuration,
+      {{"current", SearchConfiguration::current},
+       {"reference", SearchConfiguration::reference}},
+      "where the surfaces look for each other: as deformed, in every step, or "
+      "as meshed, once");
+   keys
+      .Value("quadrature_order", options.quadrature_order, "",
+             "exactness of the destination's quadrature; not 3")
+      .From(1, 25);
+   return keys;
+}
+
+KeyTable TimeKeys(TimeCase &time)
+{
+   KeyTable keys;
+   keys.Value("end", time.end, time_unit, "when the run ends")
+      .Required()
+      .Positive()
+      .Named("the end time");
+   keys.Value("step", time.step, time_unit, "length of the steps")
+      .Required()
+      .Positive()
+      .Named("the time step");
+   keys.Word<TimeScheme>("scheme", time.scheme,
+                         {{"backward_euler", TimeScheme::backward_euler},
+                          {"sdirk23", TimeScheme::sdirk23},
+                          {"sdirk33", TimeScheme::sdirk33}},
+                         "how time is discretised");
+   keys
+      .Value("adaptive", time.adaptive, "",
+             "whether steps change with the difficulty")
+      .NotYet();
+   keys.Auto("min_step", time.min_step, time_unit, "shortest step").NotYet();
+   keys.Auto("max_step", time.max_step, time_unit, "longest step").NotYet();
+   return keys;
+}
+
+KeyTable SolverKeys(NonlinearOptions &solver)
+{
+   LinearOptions &linear = solver.linear;
+   KeyTable keys;
+   keys.Word<LinearMethod>("linear", linear.method,
+                           {{"auto", LinearMethod::automatic},
+                            {"block_amg", LinearMethod::block_amg},
+                            {"direct", LinearMethod::direct}},
+                           "how the linear systems are preconditioned");
+   keys
+      .Value("linear_tolerance", linear.relative_tolerance, "",
+             "relative accuracy of the linear systems")
+      .Inside(0.0, 0.1);
+   keys
+      .Value("max_linear", linear.max_iterations, "",
+             "most iterations for a linear system")
+      .From(1, 100000);
+   keys
+      .Value("direct_below", linear.direct_below, "",
+             "for \"auto\": up to this many unknowns a factorisation is kept")
+      .AtLeast(0);
+   keys
+      .Value("renew_after", linear.renew_after, "",
+             "iterations lost to an old factorisation until it is renewed")
+      .From(1, 100000);
+   keys
+      .Value("max_newton", solver.max_newton, "",
+             "most Newton iterations for one set of multipliers")
+      .From(1, 1000);
+   keys
+      .Value("max_augmentations", solver.max_augmentations, "",
+             "most augmentations in a step")
+      .From(1, 1000);
+   keys
+      .Value("active_set_tolerance", solver.active_set_tolerance, "",
+             "accuracy that suffices to find the active set; 0 solves every "
+             "system to the end")
+      .From(0.0, 0.1);
+   return keys;
+}
+
+KeyTable LineKeys(LineCase &line)
+{
+   KeyTable keys;
+   keys.Value("name", line.line.name, "", "of the file").Required();
+   keys.Value("from", line.line.from, length, "first point").Required();
+   keys.Value("to", line.line.to, length, "last point").Required();
+   keys.Value("points", line.line.points, "", "how many, both ends included")
+      .From(2, most_points);
+   keys.Value("region", line.line.regions, "",
+              "where to look for the points; everywhere if left out");
+   keys.Value("times", line.times, time_unit,
+              "when it is sampled; at the end if left out");
+   return keys;
+}
+
+KeyTable OutputKeys(OutputCase &output)
+{
+   KeyTable keys;
+   keys.Value("directory", output.directory, "",
+              "where the results go, relative to the working directory");
+   keys
+      .Value("fields_every", output.fields_every, "",
+             "steps between fields for ParaView; 0: none")
+      .AtLeast(0);
+   keys
+      .Value("checkpoint_every", output.checkpoint_every, "",
+             "steps between checkpoints; 0: none")
+      .AtLeast(0)
+      .NotYet();
+   keys.List<LineCase>("line", output.lines, LineKeys, "");
+   return keys;
+}
+} // namespace
+
+KeyTable CaseKeys(CaseFile &setup)
+{
+   KeyTable keys;
+   keys.Value("title", setup.title, "", "says what the case is");
+   keys.Table("mesh", MeshKeys(setup.mesh), "");
+   keys.Table("space", SpaceKeys(setup.space), "");
+   keys
+      .List<MaterialCase>("material", setup.materials, MaterialKeys,
+                          "of all regions")
+      .Required();
+   keys.List<BoundaryCase>("boundary", setup.boundaries, BoundaryKeys, "");
+   keys.List<ContactCase>("contact", setup.contacts, ContactKeys, "");
+   keys.Table("time", TimeKeys(setup.time), "");
+   keys.Table("solver", SolverKeys(setup.solver), "");
+   keys.Table("output", OutputKeys(setup.output), "");
+   return keys;
+}
+
+} // namespace synovia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cases/case_file.hpp"
+#include "cases/key_table.hpp"
+
+namespace synovia
+{
+
+/// All keys of a case file, bound to @a setup: the one place where they are
+/// written.
+KeyTable CaseKeys(CaseFile &setup);
+
+} // namespace synovia

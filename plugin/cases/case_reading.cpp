@@ -1,0 +1,94 @@
+#include "cases/case_reading.hpp"
+#include "general/error.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace synovia
+{
+
+namespace
+{
+constexpr size_t most_complaints = 10;
+
+CasePlace Nearest(const CasePlaces &places, std::string path)
+{
+   while (true)
+   {
+      const auto found = places.find(path);
+      if (found != places.end())
+      {
+         return found->second;
+      }
+      if (path.empty())
+      {
+         return CasePlace();
+      }
+      const size_t dot = path.rfind('.');
+      path.resize(dot == std::string::npos ? 0 : dot);
+   }
+}
+
+std::string Prefixed(const CasePlace &place, const std::string &path)
+{
+   const std::string at = ToText(place);
+   return at + (at.empty() || path.empty() ? "" : ": ") + path;
+}
+} // namespace
+
+std::string WhereIs(const CasePlaces &places, const std::string &path)
+{
+   return Prefixed(Nearest(places, path), path);
+}
+
+void CaseReading::SetPlace(const std::string &path, const CasePlace &place)
+{
+   places[path] = place;
+}
+
+void CaseReading::Complain(const std::string &path, const std::string &problem)
+{
+   const CasePlace place = Nearest(places, path);
+   complaints.push_back({place, path, Prefixed(place, path) + ": " + problem});
+}
+
+void CaseReading::Expect(const std::string &path, const std::string &expected,
+                         const CaseValue &found)
+{
+   Complain(path, "found " + found.Describe() + "; expected " + expected);
+}
+
+bool CaseReading::Complained(const std::string &path) const
+{
+   return std::any_of(complaints.begin(), complaints.end(),
+                      [&](const Complaint &complaint)
+                      { return complaint.path == path; });
+}
+
+void CaseReading::ThrowIfAny() const
+{
+   if (complaints.empty())
+   {
+      return;
+   }
+   std::vector<Complaint> sorted(complaints);
+   std::stable_sort(sorted.begin(), sorted.end(),
+                    [](const Complaint &a, const Complaint &b)
+                    {
+                       return std::tie(a.place.line, a.place.column) <
+                              std::tie(b.place.line, b.place.column);
+                    });
+   std::string text;
+   for (size_t i = 0; i < std::min(sorted.size(), most_complaints); i++)
+   {
+      text += (i > 0 ? "\n  " : "") + sorted[i].text;
+   }
+   if (sorted.size() > most_complaints)
+   {
+      text +=
+         "\n  and " + std::to_string(sorted.size() - most_complaints) + " more";
+   }
+   throw Error(text);
+}
+
+} // namespace synovia

@@ -1,0 +1,260 @@
+#pragma once
+
+#include "cases/case_codec.hpp"
+
+#include <functional>
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace synovia
+{
+
+/// The numbers that a key allows.
+struct KeyRange
+{
+   mfem::real_t least = -std::numeric_limits<mfem::real_t>::infinity();
+   mfem::real_t most = std::numeric_limits<mfem::real_t>::infinity();
+   /// Whether the bounds themselves are left out.
+   bool open = false;
+
+   bool Has(mfem::real_t value) const;
+   /// In words, after "must be"; empty for all numbers.
+   std::string Text() const;
+};
+
+/// One value of a program that a key stands for.
+class KeyBinding
+{
+public:
+   virtual ~KeyBinding() = default;
+   virtual std::string Type() const = 0;
+   /// The present value as TOML, if it is set.
+   virtual TomlText Text() const = 0;
+   virtual void Read(const CaseValue &from, const std::string &path,
+                     CaseReading &reading) = 0;
+   /// The present value where it is one number.
+   virtual std::optional<mfem::real_t> Number() const { return std::nullopt; }
+};
+
+class KeyTable;
+
+/// A key: what it is called, what it means, and what it is bound to: a value, a
+/// table, or a list of tables.
+struct CaseKey
+{
+   std::string name;
+   std::string unit;
+   std::string meaning;
+   /// How a complaint about the value calls it, if not by its path.
+   std::string noun;
+   KeyRange range;
+   bool required = false;
+   /// For what there is no code yet.
+   bool supported = true;
+   /// Only where the table's key "model" or "type" is this word.
+   std::string only_for;
+
+   std::unique_ptr<KeyBinding> value;
+   std::unique_ptr<KeyTable> table;
+
+   /// A list of tables: how many there are, how many there shall be, and the
+   /// keys of one of them; those of a sample, to show, if there is none.
+   struct List
+   {
+      std::function<size_t()> size;
+      std::function<void(size_t)> resize;
+      std::function<KeyTable(size_t)> entry;
+      std::function<void(const std::function<void(KeyTable &)> &)> sample;
+   };
+   std::unique_ptr<List> list;
+
+   CaseKey &Required();
+   CaseKey &NotYet();
+   CaseKey &OnlyFor(const std::string &word);
+   CaseKey &Named(const std::string &noun_);
+   CaseKey &Positive();
+   CaseKey &AtLeast(mfem::real_t least);
+   /// Between the two, which are allowed too, or are not.
+   CaseKey &From(mfem::real_t least, mfem::real_t most);
+   CaseKey &Inside(mfem::real_t least, mfem::real_t most);
+};
+
+/// The words that a key allows, and what each stands for. A word with a star at
+/// its end is one for which there is no code yet.
+template <typename Enum>
+using KeyWords = std::vector<std::pair<std::string, Enum>>;
+
+/// The keys of a table, bound to the members of a struct that must outlive it.
+///
+/// One description of the keys serves to read a case, to check one that a
+/// program made, to write it, and to list all there is.
+class KeyTable
+{
+public:
+   template <typename T>
+   CaseKey &Value(const std::string &name, T &value, const std::string &unit,
+                  const std::string &meaning);
+   /// A number or "auto", which is 0 in @a value.
+   CaseKey &Auto(const std::string &name, mfem::real_t &value,
+                 const std::string &unit, const std::string &meaning);
+   template <typename Enum>
+   CaseKey &Word(const std::string &name, Enum &value,
+                 const KeyWords<Enum> &words, const std::string &meaning);
+   CaseKey &Table(const std::string &name, KeyTable table,
+                  const std::string &meaning);
+   template <typename Entry>
+   CaseKey &List(const std::string &name, std::vector<Entry> &entries,
+                 KeyTable (*describe)(Entry &), const std::string &meaning);
+
+   /// Sets the values that @a from has, and complains about keys that there
+   /// aren't, wrong types, and what is missing.
+   void Read(const CaseValue &from, const std::string &path,
+             CaseReading &reading);
+   /// Complains about numbers out of range, except where there is a complaint
+   /// already.
+   void Check(const std::string &path, CaseReading &reading);
+   /// Writes all values that are set, as TOML.
+   void Write(std::ostream &out, const std::string &path = "");
+   /// Lists all keys with types, defaults, units and meanings.
+   void List(std::ostream &out);
+
+private:
+   struct Line
+   {
+      std::string key;
+      std::string type;
+      std::string standard;
+      std::string unit;
+      std::string meaning;
+   };
+
+   CaseKey &Add(const std::string &name, const std::string &unit,
+                const std::string &meaning);
+   const CaseKey *Find(const std::string &name) const;
+   std::vector<std::string> Names() const;
+   bool Applies(const CaseKey &key) const;
+   std::string Model() const;
+   void ReadKey(CaseKey &key, const CaseValue &from, const std::string &path,
+                CaseReading &reading);
+   void ReadList(CaseKey &key, const CaseValue &from, const std::string &path,
+                 CaseReading &reading);
+   TomlText Inline();
+   void Collect(const std::string &path, std::vector<Line> &lines);
+
+   std::vector<CaseKey> keys;
+};
+
+template <typename T>
+class ValueBinding : public KeyBinding
+{
+public:
+   explicit ValueBinding(T &value_) : value(value_) {}
+   std::string Type() const override { return TypeOf(value); }
+   TomlText Text() const override { return TextOf(value); }
+   void Read(const CaseValue &from, const std::string &path,
+             CaseReading &reading) override
+   {
+      ReadValue(from, path, value, reading);
+   }
+   std::optional<mfem::real_t> Number() const override
+   {
+      if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
+      {
+         return static_cast<mfem::real_t>(value);
+      }
+      return std::nullopt;
+   }
+
+private:
+   T &value;
+};
+
+/// Reads one of @a words; the number of it, or -1 with a complaint.
+int ReadWord(const CaseValue &from, const std::string &path,
+             const std::vector<std::string> &words, CaseReading &reading);
+/// The words as a type: "a", "b" or "c".
+std::string WordsType(const std::vector<std::string> &words);
+
+template <typename Enum>
+class WordBinding : public KeyBinding
+{
+public:
+   WordBinding(Enum &value_, const KeyWords<Enum> &words) : value(value_)
+   {
+      for (const auto &[name, meaning] : words)
+      {
+         names.push_back(name);
+         meanings.push_back(meaning);
+      }
+   }
+   std::string Type() const override { return WordsType(names); }
+   TomlText Text() const override
+   {
+      for (size_t i = 0; i < names.size(); i++)
+      {
+         if (meanings[i] == value)
+         {
+            return Quoted(names[i].substr(0, names[i].find('*')));
+         }
+      }
+      return std::nullopt;
+   }
+   void Read(const CaseValue &from, const std::string &path,
+             CaseReading &reading) override
+   {
+      const int word = ReadWord(from, path, names, reading);
+      if (word >= 0)
+      {
+         value = meanings[word];
+      }
+   }
+
+private:
+   Enum &value;
+   std::vector<std::string> names;
+   std::vector<Enum> meanings;
+};
+
+template <typename T>
+CaseKey &KeyTable::Value(const std::string &name, T &value,
+                         const std::string &unit, const std::string &meaning)
+{
+   CaseKey &key = Add(name, unit, meaning);
+   key.value = std::make_unique<ValueBinding<T>>(value);
+   return key;
+}
+
+template <typename Enum>
+CaseKey &KeyTable::Word(const std::string &name, Enum &value,
+                        const KeyWords<Enum> &words, const std::string &meaning)
+{
+   CaseKey &key = Add(name, "", meaning);
+   key.value = std::make_unique<WordBinding<Enum>>(value, words);
+   return key;
+}
+
+template <typename Entry>
+CaseKey &KeyTable::List(const std::string &name, std::vector<Entry> &entries,
+                        KeyTable (*describe)(Entry &),
+                        const std::string &meaning)
+{
+   CaseKey &key = Add(name, "", meaning);
+   key.list = std::make_unique<CaseKey::List>();
+   key.list->size = [&entries]() { return entries.size(); };
+   key.list->resize = [&entries](size_t size) { entries.resize(size); };
+   key.list->entry = [&entries, describe](size_t i)
+   { return describe(entries[i]); };
+   key.list->sample = [describe](const std::function<void(KeyTable &)> &show)
+   {
+      Entry sample;
+      KeyTable table = describe(sample);
+      show(table);
+   };
+   return key;
+}
+
+} // namespace synovia

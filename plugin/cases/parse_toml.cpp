@@ -1,0 +1,88 @@
+#include "cases/case_value.hpp"
+#include "general/error.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace synovia
+{
+
+namespace
+{
+CasePlace PlaceOf(const toml::source_region &region, const std::string &source)
+{
+   return {source, static_cast<int>(region.begin.line),
+           static_cast<int>(region.begin.column)};
+}
+
+CaseValue Convert(const toml::node &node, const std::string &source)
+{
+   CaseValue value;
+   value.place = PlaceOf(node.source(), source);
+   if (const toml::table *table = node.as_table())
+   {
+      value.type = CaseValue::Type::table;
+      for (const auto &[key, member] : *table)
+      {
+         value.members.push_back({std::string(key.str()),
+                                  PlaceOf(key.source(), source),
+                                  Convert(member, source)});
+      }
+   }
+   else if (const toml::array *list = node.as_array())
+   {
+      value.type = CaseValue::Type::list;
+      for (const toml::node &item : *list)
+      {
+         value.items.push_back(Convert(item, source));
+      }
+   }
+   else if (const auto text = node.as_string())
+   {
+      value.type = CaseValue::Type::text;
+      value.text = text->get();
+   }
+   else if (const auto integer = node.as_integer())
+   {
+      value.type = CaseValue::Type::integer;
+      value.integer = integer->get();
+      value.number = static_cast<double>(value.integer);
+   }
+   else if (const auto number = node.as_floating_point())
+   {
+      value.type = CaseValue::Type::number;
+      value.number = number->get();
+   }
+   else if (const auto boolean = node.as_boolean())
+   {
+      value.type = CaseValue::Type::boolean;
+      value.boolean = boolean->get();
+   }
+   else
+   {
+      value.type = CaseValue::Type::date;
+   }
+   return value;
+}
+} // namespace
+
+CaseValue ParseToml(const std::string &text, const std::string &source)
+{
+   try
+   {
+      const toml::table table = toml::parse(text, source);
+      return Convert(table, source);
+   }
+   catch (const toml::parse_error &error)
+   {
+      // Some of its texts are of several lines.
+      std::string reason(error.description());
+      std::replace(reason.begin(), reason.end(), '\n', ' ');
+      throw Error(ToText(PlaceOf(error.source(), source)) +
+                  ": this is not TOML: " + reason);
+   }
+}
+
+} // namespace synovia
