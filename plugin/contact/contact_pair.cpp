@@ -317,7 +317,6 @@ void ContactPair::Predict(real_t time)
    }
 }
 
-ContactPair::Diagnostics ContactPair::Diagnose() const
 std::array<Vector *, 10> ContactPair::WorkingVectors()
 {
    return {
@@ -372,6 +371,7 @@ void ContactPair::Archive(StateArchive &archive)
    }
 }
 
+ContactPair::Diagnostics ContactPair::Diagnose() const
 {
    Diagnostics result;
    Vector momentum(operators.gap->Width());
