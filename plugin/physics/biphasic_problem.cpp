@@ -92,12 +92,34 @@ void BiphasicProblem::AddContact(const std::string &source,
                                  const ContactOptions &options,
                                  const std::string &name)
 {
+   AddContact(std::vector<std::string>{source},
+              std::vector<std::string>{destination}, options, name);
+}
+
+void BiphasicProblem::AddContact(const std::vector<std::string> &sources,
+                                 const std::vector<std::string> &destinations,
+                                 const ContactOptions &options,
+                                 const std::string &name)
+{
    VerifyOpen();
-   // Unknown names are the caller's to hear about now.
-   mesh.Boundary(source);
-   mesh.Boundary(destination);
-   pair_setups.push_back({source, destination, options,
-                          name.empty() ? source + "-" + destination : name});
+   MFEM_VERIFY(!sources.empty() && !destinations.empty(),
+               "each side of a contact pair needs a boundary");
+   pair_setups.push_back(
+      {Boundaries(sources), Boundaries(destinations), options,
+       name.empty() ? sources.front() + "-" + destinations.front() : name});
+}
+
+Array<int>
+BiphasicProblem::Boundaries(const std::vector<std::string> &names) const
+{
+   Array<int> attributes;
+   for (const std::string &name : names)
+   {
+      attributes.Append(mesh.Boundary(name));
+   }
+   attributes.Sort();
+   attributes.Unique();
+   return attributes;
 }
 
 void BiphasicProblem::SetNonlinearOptions(const NonlinearOptions &options)
@@ -141,8 +163,8 @@ BiphasicOperator &BiphasicProblem::Operator()
       for (const PairSetup &setup : pair_setups)
       {
          pairs.push_back(std::make_unique<ContactPair>(
-            setup.name, spaces, materials, mesh.Boundary(setup.source),
-            mesh.Boundary(setup.destination), setup.options));
+            setup.name, spaces, materials, setup.source, setup.destination,
+            setup.options));
          borrowed.push_back(pairs.back().get());
       }
       op = std::make_unique<BiphasicOperator>(spaces, materials, *conditions,

@@ -56,6 +56,10 @@ public:
    void AddContact(const std::string &source, const std::string &destination,
                    const ContactOptions &options = ContactOptions(),
                    const std::string &name = "");
+   /// The same for sides of several boundaries each, at least one.
+   void AddContact(const std::vector<std::string> &sources,
+                   const std::vector<std::string> &destinations,
+                   const ContactOptions &options, const std::string &name);
 
    void SetNonlinearOptions(const NonlinearOptions &options);
 
@@ -82,6 +86,7 @@ public:
    Point3 Reaction(const Support &support);
 
 private:
+   mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;
    Support &SupportOf(const std::string &boundary);
    void VerifyOpen() const;
    void VerifyMaterials() const;
@@ -93,8 +98,8 @@ private:
    std::vector<std::unique_ptr<ContactPair>> pairs;
    struct PairSetup
    {
-      std::string source;
-      std::string destination;
+      mfem::Array<int> source;
+      mfem::Array<int> destination;
       ContactOptions options;
       std::string name;
    };
