@@ -40,11 +40,11 @@ void Progress::Report(const StepReport &report, const TimeStepper &stepper)
    }
    last_line = elapsed;
    std::printf("%sstep %d/%d  t %.6g  dt %.4g  newton %d  augmentations %d  "
-               "linear %d  %.0f s, %.0f s left%s",
+               "linear %d  area %.4g  %.0f s, %.0f s left%s",
                terminal ? "\r\033[K" : "", step, step + left, report.time,
                report.dt, report.solve.newton, report.solve.augmentations,
-               report.solve.linear, elapsed, elapsed / step * left,
-               terminal && !last ? "" : "\n");
+               report.solve.linear, report.contact_area, elapsed,
+               elapsed / step * left, terminal && !last ? "" : "\n");
    std::fflush(stdout);
 }
 

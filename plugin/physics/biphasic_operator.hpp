@@ -76,6 +76,8 @@ public:
    /// Goes back to what was accepted last: rates, multipliers, active and
    /// sealing sets, drained dofs, support forces and fluid balance.
    void RejectStep();
+   /// Rate (v, dp/dt) of the last stage that was accepted.
+   const mfem::Vector &AcceptedRate() const { return accepted.rate; }
    /// Lists what the next step needs of those accepted. Collective.
    void Archive(StateArchive &archive);
    const SolveReport &Report() const { return report; }
