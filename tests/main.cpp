@@ -10,7 +10,12 @@
 
 #include "mfem.hpp"
 
+#include <execinfo.h>
+#include <unistd.h>
+
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <thread>
@@ -43,6 +48,34 @@ namespace
 // How long a rank on which a test case failed waits for the others. They may
 // be waiting for it, in a collective that it did not get to.
 constexpr std::chrono::seconds patience(20);
+
+// Before a run is ended for taking too long, each rank says where it is. Only
+// the handler of a signal can, in a rank that hangs.
+void TellWhere(int)
+{
+   constexpr char message[] = "A rank of this test is still busy, here:\n";
+   const ssize_t written = write(STDERR_FILENO, message, sizeof(message) - 1);
+   void *frames[64];
+   if (written > 0)
+   {
+      backtrace_symbols_fd(frames, backtrace(frames, 64), STDERR_FILENO);
+   }
+}
+
+void WatchTime()
+{
+   // The first call loads a library, which a handler must not do.
+   void *frame = nullptr;
+   backtrace(&frame, 1);
+   std::signal(SIGALRM, TellWhere);
+   const char *const limit = std::getenv("SYNOVIA_TEST_SECONDS");
+   constexpr int spare = 5;
+   const int seconds = limit ? std::atoi(limit) : 0;
+   if (seconds > spare)
+   {
+      alarm(seconds - spare);
+   }
+}
 
 std::ostringstream held_back;
 MPI_Comm test_comm = MPI_COMM_NULL;
@@ -144,6 +177,7 @@ int RunSession(int argc, char *argv[])
 
 int main(int argc, char *argv[])
 {
+   WatchTime();
    InitialiseMpi(argc, argv);
 
    std::streambuf *const console = std::cout.rdbuf();

@@ -95,6 +95,18 @@ bool Box::MeetsSegment(const Point3 &a, const Point3 &b) const
    return true;
 }
 
+bool Box::Meets(const Box &box) const
+{
+   for (int d = 0; d < 3; d++)
+   {
+      if (low[d] > box.high[d] || high[d] < box.low[d])
+      {
+         return false;
+      }
+   }
+   return true;
+}
+
 BoundingVolumeTree::BoundingVolumeTree(const std::vector<Box> &boxes)
    : order(boxes.size())
 {
@@ -151,9 +163,9 @@ int BoundingVolumeTree::Build(const std::vector<Box> &boxes, int begin, int end)
    return index;
 }
 
-void BoundingVolumeTree::VisitSegment(
-   const Point3 &a, const Point3 &b,
-   const std::function<void(int)> &visit) const
+template <typename Meets>
+void BoundingVolumeTree::Visit(Meets meets,
+                               const std::function<void(int)> &visit) const
 {
    if (nodes.empty())
    {
@@ -167,7 +179,7 @@ void BoundingVolumeTree::VisitSegment(
    while (top > 0)
    {
       const Node &node = nodes[stack[--top]];
-      if (!node.box.MeetsSegment(a, b))
+      if (!meets(node.box))
       {
          continue;
       }
@@ -179,12 +191,25 @@ void BoundingVolumeTree::VisitSegment(
       }
       for (int i = node.begin; i < node.end; i++)
       {
-         if (leaves[i].MeetsSegment(a, b))
+         if (meets(leaves[i]))
          {
             visit(order[i]);
          }
       }
    }
+}
+
+void BoundingVolumeTree::VisitSegment(
+   const Point3 &a, const Point3 &b,
+   const std::function<void(int)> &visit) const
+{
+   Visit([&](const Box &box) { return box.MeetsSegment(a, b); }, visit);
+}
+
+void BoundingVolumeTree::VisitBox(const Box &box,
+                                  const std::function<void(int)> &visit) const
+{
+   Visit([&](const Box &candidate) { return candidate.Meets(box); }, visit);
 }
 
 } // namespace synovia

@@ -23,6 +23,7 @@ struct Box
    Point3 Centre() const;
    /// Whether the segment from @a a to @a b meets the box.
    bool MeetsSegment(const Point3 &a, const Point3 &b) const;
+   bool Meets(const Box &box) const;
 
    Point3 low;
    Point3 high;
@@ -37,6 +38,8 @@ public:
    /// Calls @a visit with the number of each box that meets the segment.
    void VisitSegment(const Point3 &a, const Point3 &b,
                      const std::function<void(int)> &visit) const;
+   /// Likewise with each box that meets the @a box.
+   void VisitBox(const Box &box, const std::function<void(int)> &visit) const;
 
 private:
    struct Node
@@ -49,6 +52,8 @@ private:
    };
 
    int Build(const std::vector<Box> &boxes, int begin, int end);
+   template <typename Meets>
+   void Visit(Meets meets, const std::function<void(int)> &visit) const;
 
    std::vector<Node> nodes;
    std::vector<int> order;

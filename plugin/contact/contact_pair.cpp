@@ -108,6 +108,7 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
    gap_options.search_radius =
       options.search_radius > 0.0 ? options.search_radius : layer.Thickness();
    gap_options.quadrature_order = options.quadrature_order;
+   gap_options.normal = options.normal;
    source_areas = NodalAreas(source);
    destination_areas = NodalAreas(destination);
 

@@ -41,8 +41,10 @@ struct ContactOptions
    /// destination layer's thickness.
    mfem::real_t search_radius = 0.0;
    SearchConfiguration configuration = SearchConfiguration::current;
-   /// Exactness of the destination's quadrature.
-   int quadrature_order = 10;
+   ContactNormal normal = ContactNormal::destination;
+   /// Exactness of the quadrature on each segment, the part of a destination
+   /// face that one source face covers.
+   int quadrature_order = 5;
 };
 
 /// Two surfaces that may come into contact: constraint, active set,
@@ -160,10 +162,10 @@ public:
 private:
    void SetPenalties();
    void VerifyReach() const;
-
-   std::string name;
    /// What Evaluate(), UpdateActiveSet() and Augment() set.
    std::array<mfem::Vector *, 10> WorkingVectors();
+
+   std::string name;
    MPI_Comm comm;
    ContactOptions options;
    mfem::Array<int> destination_boundary;
@@ -177,9 +179,9 @@ private:
    mfem::Vector destination_areas;
    GapOperators operators;
    bool searched = false;
+   bool reached = false;
 
    mfem::Vector penalty;
-   bool reached = false;
    mfem::Vector pressure_penalty;
    mfem::Vector multiplier;
    mfem::Vector flux_multiplier;
@@ -192,9 +194,9 @@ private:
    };
    Past stored;
    Past accepted;
+   std::array<mfem::Vector, 10> accepted_vectors;
    mfem::Vector gap;
    mfem::Vector jump;
-   std::array<mfem::Vector, 10> accepted_vectors;
    mfem::Vector traction;
    mfem::Vector flux;
    mfem::Vector active;

@@ -1,5 +1,6 @@
 #include "contact/gap_operators.hpp"
 #include "contact/parallel_triplets.hpp"
+#include "contact/segmentation.hpp"
 #include "contact/surface_search.hpp"
 
 #include <algorithm>
@@ -78,21 +79,48 @@ std::vector<HYPRE_BigInt> Global(ParFiniteElementSpace &space,
    return result;
 }
 
+// A hit that is farther than this part of the source face's size from where the
+// face should be is one of another part of the source, in between.
+constexpr real_t in_between = 0.5;
+
+using Segments = std::vector<std::vector<SegmentPoint>>;
+
 std::vector<SearchQuery> MakeQueries(const ContactSurface &destination,
-                                     int quadrature_order)
+                                     const Segments &segments)
 {
    std::vector<SearchQuery> queries;
-   for (const DeformedFace &face : destination.Faces())
+   for (size_t i = 0; i < segments.size(); i++)
    {
-      const IntegrationRule &rule =
-         IntRules.Get(face.GetGeometry(), quadrature_order);
-      for (int q = 0; q < rule.GetNPoints(); q++)
+      const DeformedFace &face = destination.Faces()[i];
+      for (const SegmentPoint &point : segments[i])
       {
-         const IntegrationPoint &ip = rule.IntPoint(q);
-         queries.push_back({face.CurrentPoint(ip), face.CurrentNormal(ip)});
+         queries.push_back(
+            {face.CurrentPoint(point.ip), face.CurrentNormal(point.ip)});
       }
    }
    return queries;
+}
+
+/// Turns the queries from the destination's normal to the mean of both.
+void TakeMeanNormals(const std::vector<SearchHit> &hits,
+                     std::vector<SearchQuery> &queries)
+{
+   for (size_t i = 0; i < hits.size(); i++)
+   {
+      if (hits[i].Found())
+      {
+         const Point3 sum = Sum(queries[i].normal, -1.0, hits[i].normal);
+         const real_t length = std::sqrt(Dot(sum, sum));
+         queries[i].normal = {sum[0] / length, sum[1] / length,
+                              sum[2] / length};
+      }
+   }
+}
+
+bool Counts(const SearchHit &hit, const SegmentPoint &point)
+{
+   return hit.Found() &&
+          std::abs(hit.distance - point.distance) <= in_between * point.size;
 }
 
 class GapAssembler
@@ -107,7 +135,8 @@ public:
       face_size = 0.0;
    }
 
-   void AddFace(const DeformedFace &face, const IntegrationRule &rule,
+   void AddFace(const DeformedFace &face,
+                const std::vector<SegmentPoint> &points,
                 const SearchQuery *queries, const SearchHit *hits,
                 const std::map<std::pair<int, int>, FaceDofs> &source_dofs);
    GapOperators Finish();
@@ -173,7 +202,7 @@ void AddPoint(FaceBlocks &blocks, const Vector &phi, real_t weight,
 }
 
 void GapAssembler::AddFace(
-   const DeformedFace &face, const IntegrationRule &rule,
+   const DeformedFace &face, const std::vector<SegmentPoint> &points,
    const SearchQuery *queries, const SearchHit *hits,
    const std::map<std::pair<int, int>, FaceDofs> &source_dofs)
 {
@@ -189,14 +218,14 @@ void GapAssembler::AddFace(
    Vector weights(vertices);
    weights = 0.0;
 
-   for (int q = 0; q < rule.GetNPoints(); q++)
+   for (size_t q = 0; q < points.size(); q++)
    {
       const SearchHit &hit = hits[q];
-      if (!hit.Found())
+      if (!Counts(hit, points[q]))
       {
          continue;
       }
-      const IntegrationPoint &ip = rule.IntPoint(q);
+      const IntegrationPoint &ip = points[q].ip;
       const Point3 &normal = queries[q].normal;
       const real_t weight = ip.weight * face.ReferenceWeight(ip);
       EvaluateShapes(spaces, own.geometry, ip, u_shape, p_shape, m_shape);
@@ -294,9 +323,15 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
                                   const GapOptions &options)
 {
    const SurfaceSearch search(source, options.search_radius);
-   const std::vector<SearchQuery> queries =
-      MakeQueries(destination, options.quadrature_order);
-   const std::vector<SearchHit> hits = search.Find(queries);
+   const Segments segments = SegmentSurface(
+      source, destination, options.search_radius, options.quadrature_order);
+   std::vector<SearchQuery> queries = MakeQueries(destination, segments);
+   std::vector<SearchHit> hits = search.Find(queries);
+   if (options.normal == ContactNormal::mean)
+   {
+      TakeMeanNormals(hits, queries);
+      hits = search.Find(queries);
+   }
 
    std::map<std::pair<int, int>, FaceDofs> source_dofs;
    for (const SearchHit &hit : hits)
@@ -320,12 +355,11 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
 
    GapAssembler assembler(destination.Spaces());
    size_t first = 0;
-   for (const DeformedFace &face : destination.Faces())
+   for (size_t i = 0; i < segments.size(); i++)
    {
-      const IntegrationRule &rule =
-         IntRules.Get(face.GetGeometry(), options.quadrature_order);
-      assembler.AddFace(face, rule, &queries[first], &hits[first], source_dofs);
-      first += rule.GetNPoints();
+      assembler.AddFace(destination.Faces()[i], segments[i], &queries[first],
+                        &hits[first], source_dofs);
+      first += segments[i].size();
    }
    return assembler.Finish();
 }
@@ -340,8 +374,8 @@ Vector NodalAreas(const ContactSurface &surface)
    {
       const FiniteElement &element = FaceElement(space, face.GetGeometry());
       phi.SetSize(element.GetDof());
-      // Curved faces have weights beyond polynomials: two orders to spare.
-      const IntegrationRule &rule = IntRules.Get(face.GetGeometry(), 4);
+      // Curved faces have weights beyond polynomials: orders to spare.
+      const IntegrationRule &rule = IntRules.Get(face.GetGeometry(), 8);
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
          const IntegrationPoint &ip = rule.IntPoint(q);

@@ -7,16 +7,28 @@
 namespace synovia
 {
 
+/// The direction in which gaps are measured and tractions act.
+enum class ContactNormal
+{
+   /// The destination's normal.
+   destination,
+   /// The mean of the destination's normal and the opposite of the source's at
+   /// the point found: the same whichever surface is the destination, up to the
+   /// gap times the curvature.
+   mean
+};
+
 /// How two surfaces are held against each other.
 struct GapOptions
 {
-   /// Exactness of the destination's quadrature. Source faces cut through the
-   /// destination's, so that no rule is exact: a high one makes the error
-   /// small.
-   int quadrature_order = 10;
+   /// Exactness of the quadrature on each segment, the part of a destination
+   /// face that one source face covers. The integrands are of the order of the
+   /// displacement plus one, where faces are flat.
+   int quadrature_order = 5;
    /// How far a destination point looks for the source, on either side
    /// (length).
    mfem::real_t search_radius = 0.0;
+   ContactNormal normal = ContactNormal::destination;
 };
 
 /// The weighted gap and pressure jump between two surfaces, linear in the
@@ -25,12 +37,15 @@ struct GapOptions
 ///     g_j = int phi_j n.(x_A - x_B) / a_j = (gap u)_j + gap_offset_j
 ///     [p]_j = int phi_j (p_A - p_B) / a_j = (jump p)_j,   a_j = int phi_j
 ///
-/// A is the source, B the destination, n the outward unit normal of B in the
-/// current configuration, x_A the point where the normal hits A; the integrals
+/// A is the source, B the destination, n the unit normal (GapOptions::normal)
+/// in the current configuration, x_A the point where it hits A; the integrals
 /// run over those points of B, in its reference configuration, that hit. The
 /// gap is negative where the surfaces overlap. Rows are zero, and a_j = 0,
-/// where nothing is hit. This is the mortar form of Guo & Spilker's Table 1,
-/// stable for displacements of order 2.
+/// where nothing is hit. Integration goes segment by segment
+/// (SegmentSurface()), so that on flat surfaces the contact patch test holds to
+/// round-off, while the integrals stay on one side, which keeps forces and
+/// moments of both sides in balance point by point. This is the mortar form of
+/// Guo & Spilker's Table 1, stable for displacements of order 2.
 struct GapOperators
 {
    /// Multiplier x displacement true dofs, dimensionless.

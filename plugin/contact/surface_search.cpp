@@ -110,9 +110,12 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
                         real_t distance;
                         if (!IntersectFace(face, query, ip, distance) ||
                             !Inside(face.GetGeometry(), ip) ||
-                            std::abs(distance) > std::abs(best.distance) ||
-                            Dot(face.CurrentNormal(ip), query.normal) >
-                               facing_cosine)
+                            std::abs(distance) > std::abs(best.distance))
+                        {
+                           return;
+                        }
+                        const Point3 normal = face.CurrentNormal(ip);
+                        if (Dot(normal, query.normal) > facing_cosine)
                         {
                            return;
                         }
@@ -122,6 +125,7 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
                         best.eta = ip.y;
                         best.distance = distance;
                         best.reference = face.ReferencePoint(ip);
+                        best.normal = normal;
                      });
    return best;
 }

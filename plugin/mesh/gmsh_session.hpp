@@ -5,8 +5,10 @@ namespace synovia
 
 /// Lends gmsh's library, silent, for a lifetime.
 ///
-/// A program that uses gmsh itself finds it as it was: initialised or not, with
-/// its model and options. Only one session at a time.
+/// Initialises gmsh if need be, and leaves it so: gmsh can't be asked whether
+/// it is initialised, and finalising would end the session of a program that
+/// uses gmsh itself. Such a program finds its model and options as they were.
+/// Only one session at a time.
 class GmshSession
 {
 public:
@@ -16,7 +18,6 @@ public:
    GmshSession &operator=(const GmshSession &) = delete;
 
 private:
-   bool was_initialised;
    double callers_terminal = 0.0;
    double callers_abort = 0.0;
 };

@@ -113,6 +113,27 @@ TEST_CASE("Segments along the axes and in the faces of a box meet it")
    CHECK_FALSE(box.MeetsSegment({2.5, 0.0, 0.0}, {0.0, 0.0, 2.5}));
 }
 
+TEST_CASE("Two boxes meet where they overlap or touch")
+{
+   Box box;
+   box.Add({0.0, 0.0, 0.0});
+   box.Add({1.0, 1.0, 1.0});
+   const auto at = [](real_t x, real_t y, real_t z)
+   {
+      Box other;
+      other.Add({x, y, z});
+      other.Add({x + 0.5, y + 0.5, z + 0.5});
+      return other;
+   };
+   CHECK(box.Meets(at(0.2, 0.2, 0.2)));
+   CHECK(box.Meets(at(1.0, -0.5, 0.9)));
+   CHECK_FALSE(box.Meets(at(1.1, 0.2, 0.2)));
+   CHECK_FALSE(box.Meets(at(0.2, -0.6, 0.2)));
+   CHECK_FALSE(box.Meets(at(0.2, 0.2, 1.01)));
+   CHECK_FALSE(box.Meets(Box()));
+   CHECK_FALSE(Box().Meets(box));
+}
+
 TEST_CASE("The tree visits the boxes that brute force finds, each once")
 {
    const int count = GENERATE(0, 1, 4, 5, 8, 100, 1000);
@@ -145,6 +166,18 @@ TEST_CASE("The tree visits the boxes that brute force finds, each once")
          }
       }
       CHECK(Visited(tree, a, b) == wanted);
+      const Box window = random.MakeBox(0.2);
+      std::multiset<int> met;
+      for (int k = 0; k < count; k++)
+      {
+         if (boxes[k].Meets(window))
+         {
+            met.insert(k);
+         }
+      }
+      std::multiset<int> visited;
+      tree.VisitBox(window, [&](int k) { visited.insert(k); });
+      CHECK(visited == met);
       found += static_cast<int>(wanted.size());
    }
    CHECK((count < 1000 || found > 0));

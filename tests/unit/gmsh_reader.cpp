@@ -174,6 +174,21 @@ std::pair<real_t, real_t> RangeOfRadius(const NamedMesh &named,
 
 } // namespace
 
+// The first test that uses gmsh. Before it is initialised, what it does upon
+// errors is up to uninitialised memory, and 4 means that it exits.
+TEST_CASE("gmsh reader: memory full of fours")
+{
+   for (size_t size = 512; size <= 16384; size += 16)
+   {
+      std::vector<std::vector<int>> blocks(20);
+      for (std::vector<int> &block : blocks)
+      {
+         block.assign(size / sizeof(int), 4);
+      }
+   }
+   CHECK(RegionVolume(ReadText(MshText(2, 2, 2).Text()), "10") == Approx(8.0));
+}
+
 // The box has the same measures whatever it is made and saved as.
 TEST_CASE("gmsh reader: formats, elements and orders")
 {

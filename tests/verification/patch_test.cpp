@@ -200,8 +200,8 @@ Errors Solve(const Patch &patch)
    return errors;
 }
 
-// The traction must not be off by more in the tests below.
-constexpr real_t one_percent = 0.01;
+// How exactly the equations of a step are solved, over what is compared.
+constexpr real_t solved = 1e-6;
 constexpr real_t top_pressure = 0.1;
 
 void CheckBalance(const Errors &errors)
@@ -228,91 +228,53 @@ std::string Describe(const Patch &patch)
 }
 } // namespace
 
-TEST_CASE("The traction of the patch test is uniform within 1 %")
+TEST_CASE("Meshes that do not match pass the patch test to round-off")
 {
-   // The finer body below and above.
+   // The finer body below and above, and meshes that match.
    const std::array<int, 2> cells =
       GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3},
-               std::array<int, 2>{5, 7});
+               std::array<int, 2>{5, 7}, std::array<int, 2>{3, 3});
    Patch patch = MakePatch(cells);
    patch.order = GENERATE(1, 2);
    INFO(Describe(patch));
    const Errors errors = Solve(patch);
-   CHECK(errors.traction <= one_percent);
+   CHECK(errors.traction <= solved);
+   CHECK(errors.displacement <= solved);
    CheckBalance(errors);
 }
 
 TEST_CASE("The patch test converges with the order of the quadrature")
 {
-   Patch patch = MakePatch({{1, 1}});
-   patch.order = GENERATE(1, 2);
-   // Source faces put kinks into the integrands, so that the error goes with
-   // the square of the distance between the points, in the mean: on one mesh a
-   // lower order may do better by chance.
-   real_t first_traction = 0.0;
-   real_t first_displacement = 0.0;
-   real_t traction = 0.0;
-   real_t displacement = 0.0;
-   for (const int quadrature_order : {4, 8, 16, 24})
+   Patch patch = MakePatch({{3, 4}});
+   patch.order = 2;
+   const auto error = [&](int quadrature_order)
    {
       patch.quadrature_order = quadrature_order;
-      const real_t before = traction;
-      traction = 0.0;
-      displacement = 0.0;
-      for (const int upper_cells : {2, 4})
-      {
-         patch.lower_cells = 3;
-         patch.upper_cells = upper_cells;
-         INFO(Describe(patch));
-         const Errors errors = Solve(patch);
-         CheckBalance(errors);
-         traction = std::max(traction, errors.traction);
-         displacement = std::max(displacement, errors.displacement);
-      }
-      CAPTURE(Describe(patch), quadrature_order, before);
-      if (before > 0.0)
-      {
-         CHECK(traction < before);
-      }
-      else
-      {
-         first_traction = traction;
-         first_displacement = displacement;
-      }
-   }
-   CHECK(traction <= 0.1 * first_traction);
-   CHECK(displacement <= 0.1 * first_displacement);
-}
-
-TEST_CASE("Meshes that match pass the patch test exactly")
-{
-   Patch patch = MakePatch({{3, 3}});
-   patch.order = GENERATE(1, 2);
-   patch.top_pressure = patch.order == 2 ? top_pressure : 0.0;
-   INFO(Describe(patch));
-   const Errors errors = Solve(patch);
-   CHECK(errors.traction <= 1e-6);
-   CHECK(errors.displacement <= 1e-6);
-   CHECK(errors.pressure <= 1e-6);
-   CHECK(errors.flux <= 1e-6);
-   CheckBalance(errors);
+      INFO(Describe(patch) << ", quadrature order " << quadrature_order);
+      const Errors errors = Solve(patch);
+      CheckBalance(errors);
+      return errors.traction;
+   };
+   // A point a segment can't tell displacements of order 2 apart; on squares
+   // their integrals are of degree 4.
+   const real_t first = error(1);
+   CHECK(first > 1e3 * solved);
+   CHECK(error(2) < 0.5 * first);
+   CHECK(error(4) <= solved);
 }
 
 TEST_CASE("A linear pressure passes through the interface")
 {
    const std::array<int, 2> cells =
-      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3});
+      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3},
+               std::array<int, 2>{3, 3});
    Patch patch = MakePatch(cells);
    patch.top_pressure = top_pressure;
    INFO(Describe(patch));
    const Errors errors = Solve(patch);
-   CHECK(errors.traction <= one_percent);
-   CHECK(errors.pressure <= 0.5 * one_percent);
-   CHECK(errors.flux <= 1e-4);
+   CHECK(errors.traction <= solved);
+   CHECK(errors.displacement <= solved);
+   CHECK(errors.pressure <= solved);
+   CHECK(errors.flux <= solved);
    CheckBalance(errors);
-   patch.quadrature_order = 24;
-   const Errors finer = Solve(patch);
-   CHECK(finer.traction <= one_percent);
-   CHECK(finer.pressure <= 1e-3);
-   CHECK(finer.flux <= 1e-5);
 }

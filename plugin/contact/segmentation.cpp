@@ -1,0 +1,283 @@
+#include "contact/segmentation.hpp"
+#include "contact/exchange.hpp"
+#include "contact/polygon_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// An edge whose middle is farther than this part of its length from the line
+// between its ends is taken for bent.
+constexpr real_t straight = 1e-3;
+// Beyond this many reference coordinates from a face's centre, its own map says
+// nothing about where a point lies; the tangent plane at the centre does.
+constexpr real_t reach_of_map = 4.0;
+
+/// Outline of a source face.
+struct Facet
+{
+   static constexpr int most_corners = 8;
+   int corners = 0;
+   std::array<Point3, most_corners> points;
+   real_t size = 0.0;
+
+   Box GetBox() const
+   {
+      Box box;
+      for (int i = 0; i < corners; i++)
+      {
+         box.Add(points[i]);
+      }
+      // The face itself bulges out of the polygon.
+      box.Inflate(0.1 * box.LongestEdge());
+      return box;
+   }
+};
+
+real_t Length(const Point3 &a)
+{
+   return std::sqrt(Dot(a, a));
+}
+
+Facet Outline(const DeformedFace &face)
+{
+   const IntegrationRule &vertices =
+      *Geometries.GetVertices(face.GetGeometry());
+   const int edges = vertices.GetNPoints();
+   Facet facet;
+   for (int i = 0; i < edges; i++)
+   {
+      const IntegrationPoint &from = vertices.IntPoint(i);
+      const IntegrationPoint &to = vertices.IntPoint((i + 1) % edges);
+      const Point3 a = face.CurrentPoint(from);
+      const Point3 b = face.CurrentPoint(to);
+      IntegrationPoint middle;
+      middle.Set2(0.5 * (from.x + to.x), 0.5 * (from.y + to.y));
+      const Point3 m = face.CurrentPoint(middle);
+      const real_t length = Length(Sum(b, -1.0, a));
+      const Point3 bend = Sum(Sum(m, -0.5, a), -0.5, b);
+      facet.size = std::max(facet.size, length);
+      facet.points[facet.corners++] = a;
+      if (Length(bend) > straight * length)
+      {
+         facet.points[facet.corners++] = m;
+      }
+   }
+   return facet;
+}
+
+Box Around(const ContactSurface &surface)
+{
+   Box box;
+   for (const DeformedFace &face : surface.Faces())
+   {
+      box.Add(face.CurrentBox());
+   }
+   return box;
+}
+
+/// The source faces that come near this rank's part of the destination.
+std::vector<Facet> FacetsNearby(const ContactSurface &source,
+                                const ContactSurface &destination,
+                                real_t radius)
+{
+   MPI_Comm comm = source.Spaces().GetComm();
+   int ranks = 1;
+   MPI_Comm_size(comm, &ranks);
+   Box mine = Around(destination);
+   if (!mine.Empty())
+   {
+      mine.Inflate(radius);
+   }
+   std::vector<Box> boxes(ranks);
+   MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, boxes.data(), sizeof(Box),
+                 MPI_BYTE, comm);
+   std::vector<std::vector<Facet>> outgoing(ranks);
+   for (const DeformedFace &face : source.Faces())
+   {
+      const Facet facet = Outline(face);
+      const Box box = facet.GetBox();
+      for (int r = 0; r < ranks; r++)
+      {
+         if (box.Meets(boxes[r]))
+         {
+            outgoing[r].push_back(facet);
+         }
+      }
+   }
+   std::vector<Facet> facets;
+   for (const std::vector<Facet> &part : Exchange(outgoing, comm))
+   {
+      facets.insert(facets.end(), part.begin(), part.end());
+   }
+   return facets;
+}
+
+/// Where the normals of a face go through points of space.
+class Projection
+{
+public:
+   explicit Projection(const DeformedFace &face_)
+      : face(face_), centre(Geometries.GetCenter(face.GetGeometry()))
+   {
+      origin = face.CurrentPoint(centre, &tangents);
+      normal = Cross(tangents[0], tangents[1]);
+   }
+
+   /// Reference coordinates and signed distance. One point has one image,
+   /// whichever source face it belongs to, so that the images of neighbours
+   /// neither overlap nor leave a gap.
+   void Project(const Point3 &point, Point2 &xi, real_t &distance) const
+   {
+      if (!ProjectOnFace(point, xi, distance))
+      {
+         const Point3 d = Sum(point, -1.0, origin);
+         const Point2 step = InPlane(d, tangents, normal);
+         xi = {centre.x + step[0], centre.y + step[1]};
+         distance = Dot(d, normal) / Length(normal);
+      }
+   }
+
+private:
+   /// Coordinates of @a d along the tangents, at right angles to the normal.
+   static Point2 InPlane(const Point3 &d, const std::array<Point3, 2> &t,
+                         const Point3 &n)
+   {
+      const real_t det = Dot(n, n);
+      return {Dot(Cross(d, t[1]), n) / det, Dot(Cross(t[0], d), n) / det};
+   }
+
+   bool ProjectOnFace(const Point3 &point, Point2 &xi, real_t &distance) const
+   {
+      constexpr int max_iterations = 30;
+      IntegrationPoint ip = centre;
+      for (int i = 0; i < max_iterations; i++)
+      {
+         std::array<Point3, 2> t;
+         const Point3 d = Sum(point, -1.0, face.CurrentPoint(ip, &t));
+         const Point3 n = Cross(t[0], t[1]);
+         const Point2 step = InPlane(d, t, n);
+         ip.x += step[0];
+         ip.y += step[1];
+         if (std::abs(ip.x - centre.x) > reach_of_map ||
+             std::abs(ip.y - centre.y) > reach_of_map)
+         {
+            return false;
+         }
+         if (std::abs(step[0]) + std::abs(step[1]) < 1e-13)
+         {
+            xi = {ip.x, ip.y};
+            distance = Dot(d, n) / Length(n);
+            return true;
+         }
+      }
+      return false;
+   }
+
+   const DeformedFace &face;
+   IntegrationPoint centre;
+   std::array<Point3, 2> tangents;
+   Point3 origin;
+   Point3 normal;
+};
+
+/// The linear function of the plane through the first corner, the one a third
+/// of the way round and the one two thirds round.
+class DistancePlane
+{
+public:
+   DistancePlane(const Polygon &corners, const std::vector<real_t> &distances)
+   {
+      const size_t n = corners.size();
+      const size_t j = n / 3;
+      const size_t k = 2 * n / 3;
+      origin = corners[0];
+      value = distances[0];
+      const real_t ax = corners[j][0] - origin[0];
+      const real_t ay = corners[j][1] - origin[1];
+      const real_t bx = corners[k][0] - origin[0];
+      const real_t by = corners[k][1] - origin[1];
+      const real_t det = ax * by - ay * bx;
+      if (det != 0.0)
+      {
+         const real_t a = distances[j] - value;
+         const real_t b = distances[k] - value;
+         slope = {(a * by - b * ay) / det, (b * ax - a * bx) / det};
+      }
+   }
+   real_t operator()(const IntegrationPoint &ip) const
+   {
+      return value + slope[0] * (ip.x - origin[0]) +
+             slope[1] * (ip.y - origin[1]);
+   }
+
+private:
+   Point2 origin;
+   real_t value;
+   Point2 slope{{0.0, 0.0}};
+};
+
+void AppendSegment(const DeformedFace &face, const Projection &projection,
+                   const Facet &facet, int order,
+                   std::vector<SegmentPoint> &points)
+{
+   Polygon image(facet.corners);
+   std::vector<real_t> distances(facet.corners);
+   for (int i = 0; i < facet.corners; i++)
+   {
+      projection.Project(facet.points[i], image[i], distances[i]);
+   }
+   // What faces the destination goes round the other way.
+   if (SignedArea(image) >= 0.0)
+   {
+      return;
+   }
+   std::reverse(image.begin(), image.end());
+   std::reverse(distances.begin(), distances.end());
+   const Polygon segment = ClipToReference(image, face.GetGeometry());
+   std::vector<IntegrationPoint> rule;
+   AppendRule(segment, order, rule);
+   const DistancePlane plane(image, distances);
+   for (const IntegrationPoint &ip : rule)
+   {
+      points.push_back({ip, plane(ip), facet.size});
+   }
+}
+} // namespace
+
+std::vector<std::vector<SegmentPoint>>
+SegmentSurface(const ContactSurface &source, const ContactSurface &destination,
+               real_t radius, int order)
+{
+   const std::vector<Facet> facets = FacetsNearby(source, destination, radius);
+   std::vector<Box> boxes;
+   boxes.reserve(facets.size());
+   for (const Facet &facet : facets)
+   {
+      boxes.push_back(facet.GetBox());
+   }
+   const BoundingVolumeTree tree(boxes);
+   std::vector<std::vector<SegmentPoint>> segments;
+   segments.reserve(destination.Faces().size());
+   for (const DeformedFace &face : destination.Faces())
+   {
+      segments.emplace_back();
+      const Projection projection(face);
+      Box box = face.CurrentBox();
+      box.Inflate(radius);
+      tree.VisitBox(box,
+                    [&](int i) {
+                       AppendSegment(face, projection, facets[i], order,
+                                     segments.back());
+                    });
+   }
+   return segments;
+}
+
+} // namespace synovia
