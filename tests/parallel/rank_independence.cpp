@@ -4,8 +4,7 @@
 // A problem solved by all ranks together gives what each rank finds alone: a
 // box pressed eccentrically onto a wider layer, so that contact comes and goes.
 
-#include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "support/pressed_box.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -35,66 +34,16 @@ struct Row
    int newton = 0;
 };
 
-Mesh MakeBodies()
-{
-   BoxOptions layer;
-   layer.nx = 5;
-   layer.ny = 4;
-   layer.nz = 2;
-   layer.size_x = 2.0;
-   layer.size_y = 2.0;
-   layer.size_z = 0.5;
-   layer.type = Element::TETRAHEDRON;
-   BoxOptions box;
-   box.nx = 3;
-   box.ny = 3;
-   box.nz = 1;
-   box.size_z = 0.4;
-   Mesh mesh = MakeStackMesh(layer, box);
-   // Away from the layer's sides, and rounded underneath: contact starts at an
-   // edge and grows.
-   for (int i = MakeBoxMesh(layer).GetNV(); i < mesh.GetNV(); i++)
-   {
-      real_t *x = mesh.GetVertex(i);
-      x[0] += 0.45;
-      x[1] += 0.55;
-      if (x[2] < 0.7)
-      {
-         x[2] += 0.02 * (x[0] - 0.45) * (x[0] - 0.45);
-      }
-   }
-   return mesh;
-}
-
 std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
 {
-   Mesh serial = MakeBodies();
-   NamedMesh mesh = DistributeStack(serial, comm);
-   const IsotropicElastic layer_solid(0.5, 0.1);
-   const ConstantPermeability layer_fluid(4.0e-3);
-   const IsotropicElastic box_solid(5.0, 0.2);
-   const ConstantPermeability box_fluid(4.0e-2);
-   SpaceOptions space;
-   space.order = setup.order;
-   BiphasicProblem problem(mesh, space);
-   problem.SetMaterial("lower", layer_solid, layer_fluid);
-   problem.SetMaterial("upper", box_solid, box_fluid);
-   problem.FixDisplacement("lower_z0");
-   problem.PrescribeDisplacement("upper_z1", 0, 0.0);
-   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
-   // Down, and up again as far as to where it lifts off in part.
-   problem.PrescribeDisplacement(
-      "upper_z1", 2, LoadCurve({0.0, 40.0, 80.0}, {0.0, -0.03, -0.01}));
-   problem.PrescribePressure("upper_z1", 0.0);
-   problem.AddContact("upper_z0", "lower_z1");
-   NonlinearOptions nonlinear;
-   nonlinear.linear.method = setup.method;
-   nonlinear.linear.relative_tolerance = 1e-11;
-   problem.SetNonlinearOptions(nonlinear);
+   PressedBoxOptions options;
+   options.order = setup.order;
+   options.method = setup.method;
+   PressedBox box(comm, options);
    TimeOptions times;
-   times.end = 80.0;
+   times.end = PressedBox::end;
    times.step = 10.0;
-   TimeStepper stepper(problem, times);
+   TimeStepper stepper(box.Problem(), times);
    std::vector<Row> rows;
    while (!stepper.Done())
    {
@@ -102,9 +51,8 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
       CAPTURE(report.reason, report.time);
       REQUIRE(report.converged);
       Row row;
-      row.reaction = problem.Reaction(problem.Supports().back());
-      const ContactPair::Diagnostics contact =
-         problem.Operator().Pairs().front()->Diagnose();
+      row.reaction = box.Force();
+      const ContactPair::Diagnostics contact = box.Pair().Diagnose();
       row.source_force = contact.source_force;
       row.peak_traction = contact.peak_traction;
       row.area = contact.area;
@@ -112,7 +60,7 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
       row.peak_pressure = p.Size() > 0 ? p.Normlinf() : 0.0;
       MPI_Allreduce(MPI_IN_PLACE, &row.peak_pressure, 1,
                     MPITypeMap<real_t>::mpi_type, MPI_MAX, comm);
-      row.outflow = problem.Operator().Fluid().outflow;
+      row.outflow = box.Problem().Operator().Fluid().outflow;
       row.newton = report.solve.newton;
       rows.push_back(row);
    }

@@ -163,7 +163,6 @@ TEST_CASE("Adaptive steps reach the accuracy of fixed ones with half the work")
 TEST_CASE("A smaller tolerance gives a smaller error")
 {
    TimeOptions options;
-   options.scheme = GENERATE(TimeScheme::backward_euler, TimeScheme::sdirk33);
    options.end = end;
    options.step = 5.0;
    options.adaptive = true;

@@ -1,0 +1,76 @@
+#include "support/pressed_box.hpp"
+#include "support/boxes.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+NamedMesh MakeBodies(MPI_Comm comm, const int *partitioning)
+{
+   BoxOptions layer;
+   layer.nx = 5;
+   layer.ny = 4;
+   layer.nz = 2;
+   layer.size_x = 2.0;
+   layer.size_y = 2.0;
+   layer.size_z = 0.5;
+   layer.type = Element::TETRAHEDRON;
+   BoxOptions box;
+   box.nx = 3;
+   box.ny = 3;
+   box.nz = 1;
+   box.size_z = 0.4;
+   Mesh mesh = MakeStackMesh(layer, box);
+   // Away from the layer's sides, and rounded underneath: contact starts at an
+   // edge and grows.
+   for (int i = MakeBoxMesh(layer).GetNV(); i < mesh.GetNV(); i++)
+   {
+      real_t *x = mesh.GetVertex(i);
+      x[0] += 0.45;
+      x[1] += 0.55;
+      if (x[2] < 0.7)
+      {
+         x[2] += 0.02 * (x[0] - 0.45) * (x[0] - 0.45);
+      }
+   }
+   return DistributeStack(mesh, comm, partitioning);
+}
+
+SpaceOptions Order(int order)
+{
+   SpaceOptions space;
+   space.order = order;
+   return space;
+}
+} // namespace
+
+PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
+   : mesh(MakeBodies(comm, options.partitioning)), layer_solid(0.5, 0.1),
+     layer_fluid(4.0e-3), box_solid(5.0, 0.2), box_fluid(4.0e-2),
+     problem(mesh, Order(options.order))
+{
+   problem.SetMaterial("lower", layer_solid, layer_fluid);
+   problem.SetMaterial("upper", box_solid, box_fluid);
+   problem.FixDisplacement("lower_z0");
+   problem.PrescribeDisplacement("upper_z1", 0, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
+   // Down, and up again as far as to where it lifts off in part.
+   problem.PrescribeDisplacement(
+      "upper_z1", 2, LoadCurve({0.0, 40.0, end}, {0.0, -0.03, -0.01}));
+   problem.PrescribePressure("upper_z1", 0.0);
+   problem.AddContact("upper_z0", "lower_z1");
+   if (options.body_force)
+   {
+      problem.Conditions().AddBodyForce(*options.body_force);
+   }
+   NonlinearOptions nonlinear;
+   nonlinear.max_newton = options.max_newton;
+   nonlinear.linear.method = options.method;
+   nonlinear.linear.relative_tolerance = options.relative_tolerance;
+   problem.SetNonlinearOptions(nonlinear);
+}
+
+} // namespace synovia

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "synovia.hpp"
+
+namespace synovia
+{
+
+struct PressedBoxOptions
+{
+   int order = 1;
+   LinearMethod method = LinearMethod::direct;
+   mfem::real_t relative_tolerance = 1e-11;
+   int max_newton = 30;
+   /// A rank for each of the elements; METIS decides without.
+   const int *partitioning = nullptr;
+   /// In the boxes if there is one; borrowed.
+   mfem::VectorCoefficient *body_force = nullptr;
+};
+
+/// A box that is pressed eccentrically onto a wider layer for 40 s, and lifted
+/// in part within 40 s more, so that contact comes and goes.
+class PressedBox
+{
+public:
+   PressedBox(MPI_Comm comm, const PressedBoxOptions &options);
+
+   BiphasicProblem &Problem() { return problem; }
+   const ContactPair &Pair() { return *problem.Operator().Pairs().front(); }
+   /// Force of the support on the box.
+   Point3 Force() { return problem.Reaction(problem.Supports().back()); }
+
+   static constexpr mfem::real_t end = 80.0;
+
+private:
+   NamedMesh mesh;
+   IsotropicElastic layer_solid;
+   ConstantPermeability layer_fluid;
+   IsotropicElastic box_solid;
+   ConstantPermeability box_fluid;
+   BiphasicProblem problem;
+};
+
+} // namespace synovia
