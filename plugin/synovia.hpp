@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cases/case_file.hpp"
+#include "cases/simulation.hpp"
 #include "general/error.hpp"
 #include "general/load_curve.hpp"
 #include "io/field_output.hpp"

@@ -287,13 +287,27 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
 
 void CheckTimes(const CaseFile &setup, CaseReading &reading)
 {
-   const TimeCase &time = setup.time;
+   const TimeOptions &time = setup.time;
    if (time.end > 0.0 && time.step > 0.0 && time.end / time.step > most_steps)
    {
       reading.Complain("time.step", "the end time of " + ToText(time.end) +
                                        " would take " +
                                        ToText(time.end / time.step) +
                                        " steps; that is too many");
+   }
+   if (time.min_step > time.step)
+   {
+      reading.Complain("time.min_step", "is " + ToText(time.min_step) +
+                                           "; it must not be above the time "
+                                           "step, " +
+                                           ToText(time.step));
+   }
+   if (time.max_step > 0.0 && time.max_step < time.step)
+   {
+      reading.Complain("time.max_step", "is " + ToText(time.max_step) +
+                                           "; it must be at least the time "
+                                           "step, " +
+                                           ToText(time.step));
    }
 }
 

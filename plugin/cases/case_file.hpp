@@ -124,17 +124,6 @@ struct ContactCase
    std::string Name() const;
 };
 
-struct TimeCase
-{
-   mfem::real_t end = 0.0;
-   mfem::real_t step = 0.0;
-   TimeScheme scheme = TimeScheme::backward_euler;
-   bool adaptive = false;
-   /// 0: derived from step.
-   mfem::real_t min_step = 0.0;
-   mfem::real_t max_step = 0.0;
-};
-
 struct LineCase
 {
    LineDefinition line;
@@ -159,7 +148,7 @@ struct CaseFile
    std::vector<MaterialCase> materials;
    std::vector<BoundaryCase> boundaries;
    std::vector<ContactCase> contacts;
-   TimeCase time;
+   TimeOptions time;
    NonlinearOptions solver;
    OutputCase output;
 

@@ -228,7 +228,7 @@ KeyTable ContactKeys(ContactCase &contact)
    return keys;
 }
 
-KeyTable TimeKeys(TimeCase &time)
+KeyTable TimeKeys(TimeOptions &time)
 {
    KeyTable keys;
    keys.Value("end", time.end, time_unit, "when the run ends")
@@ -244,12 +244,18 @@ KeyTable TimeKeys(TimeCase &time)
                           {"sdirk23", TimeScheme::sdirk23},
                           {"sdirk33", TimeScheme::sdirk33}},
                          "how time is discretised");
+   keys.Value("adaptive", time.adaptive, "",
+              "whether the length of steps follows from the error");
    keys
-      .Value("adaptive", time.adaptive, "",
-             "whether steps change with the difficulty")
-      .NotYet();
-   keys.Auto("min_step", time.min_step, time_unit, "shortest step").NotYet();
-   keys.Auto("max_step", time.max_step, time_unit, "longest step").NotYet();
+      .Value("error_tolerance", time.error_tolerance, "",
+             "error of an adaptive step in the energy norm, relative")
+      .Inside(0.0, 1.0);
+   keys.Value("cut_back", time.cut_back, "",
+              "whether a step that fails is tried again with half the length");
+   keys.Auto("min_step", time.min_step, time_unit,
+             "length below which no step is cut; step / 1000");
+   keys.Auto("max_step", time.max_step, time_unit,
+             "longest adaptive step; end / 10, or step if that is longer");
    return keys;
 }
 

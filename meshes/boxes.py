@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""Meshes of the simple cases in miniapps/cases, in millimetres, z up.
+
+    confined_compression      a column of cartilage, 0.2 x 0.2 x 0.75
+        region   cartilage
+        surfaces bottom  z = 0, top  z = 0.75, sides_x, sides_y
+
+    unconfined_compression    a quarter of a disc, radius 1.5, 0.25 high
+        region   cartilage
+        surfaces bottom  z = 0, top  z = 0.25, side  r = 1.5,
+                 symmetry_x  x = 0, symmetry_y  y = 0
+
+    two_columns               two columns, 0.3 x 0.3 x 0.75 each, on top of each
+        regions  lower, upper                  other, with meshes that don't match
+        surfaces lower_bottom, lower_top, lower_sides_x, lower_sides_y, and the
+                 same of the upper column
+
+Hexahedra, finer towards the surface where fluid leaves.
+
+Sample runs:
+  python3 meshes/boxes.py confined_compression -o confined_compression.msh
+  python3 meshes/boxes.py unconfined_compression -o unconfined_compression.msh
+  python3 meshes/boxes.py two_columns -o two_columns.msh
+  python3 meshes/boxes.py two_columns -o coarse.msh --size 2
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+try:
+    import gmsh
+except ImportError:
+    sys.exit("boxes.py: error: the gmsh module is missing: install "
+             "python3-gmsh (Debian) or 'pip install gmsh'")
+
+import numpy as np
+
+import gmsh_bodies
+import indentation
+from gmsh_bodies import Body
+
+QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types
+
+
+def box(side: float, bottom: float, height: float, cells: tuple[int, int],
+        grading: float, prefix: str = "") -> Body:
+    """A column of cells[0] x cells[0] x cells[1] hexahedra.
+
+    A grading above 1 makes the elements flatter towards the top.
+    """
+    across, up = cells
+    n = across + 1
+    xy = np.linspace(0.0, side, n)
+    z = bottom + height * (1.0 - np.linspace(1.0, 0.0, up + 1)**grading)
+    points = np.array([[x, y, h] for h in z for y in xy for x in xy])
+
+    def node(i: int, j: int, k: int) -> int:
+        return 1 + i + n * (j + n * k)
+
+    hexahedra = []
+    names = ["bottom", "top", "sides_x", "sides_y"]
+    faces: dict[str, list[int]] = {prefix + name: [] for name in names}
+    for k in range(up):
+        for j in range(across):
+            for i in range(across):
+                c = [node(i + a, j + b, k + d) for d in (0, 1)
+                     for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                hexahedra += c
+                for outside, name, corners in (
+                        (k == 0, "bottom", (0, 3, 2, 1)),
+                        (k == up - 1, "top", (4, 5, 6, 7)),
+                        (i == 0, "sides_x", (0, 4, 7, 3)),
+                        (i == across - 1, "sides_x", (1, 2, 6, 5)),
+                        (j == 0, "sides_y", (0, 1, 5, 4)),
+                        (j == across - 1, "sides_y", (3, 7, 6, 2))):
+                    if outside:
+                        faces[prefix + name] += [c[m] for m in corners]
+    return Body(points, [(HEXAHEDRON, np.array(hexahedra, dtype=np.int64))],
+                {name: [(QUADRANGLE, np.array(nodes, dtype=np.int64))]
+                 for name, nodes in faces.items()})
+
+
+def count(number: float, size: float) -> int:
+    """How many elements to take instead of `number`."""
+    return max(1, round(number / size))
+
+
+def confined_compression(size: float) -> dict[str, Body]:
+    return {"cartilage": box(0.2, 0.0, 0.75, (count(2, size), count(12, size)),
+                             1.5)}
+
+
+def two_columns(size: float) -> dict[str, Body]:
+    return {"lower": box(0.3, 0.0, 0.75, (count(3, size), count(8, size)), 1.0,
+                         "lower_"),
+            "upper": box(0.3, 0.75, 0.75, (count(2, size), count(11, size)),
+                         2.0, "upper_")}
+
+
+def unconfined_compression(size: float) -> dict[str, Body]:
+    radius, height = 1.5, 0.25
+    gmsh.model.add("disc")
+    # The sizes grow from the rim, where fluid leaves, inwards.
+    indentation.swept_body([radius], 0.0, [height], count(3, size),
+                           0.06 * size * radius, 1.5)
+    gmsh.model.mesh.setOrder(2)
+    surfaces: dict[str, list[int]] = {}
+    volumes = gmsh.model.getEntities(3)
+    for _, surface in gmsh.model.getBoundary(volumes, combined=True,
+                                             oriented=False):
+        x, y, z = np.asarray(gmsh.model.mesh.getNodes(2, surface, True)[1]
+                             ).reshape(-1, 3).T
+        planes = {"symmetry_x": x, "symmetry_y": y, "bottom": z,
+                  "top": z - height}
+        flat = [name for name, distance in planes.items()
+                if np.abs(distance).max() < 1e-9]
+        surfaces.setdefault(flat[0] if flat else "side", []).append(surface)
+    body = gmsh_bodies.extract([tag for _, tag in volumes], surfaces)
+    return {"cartilage": body}
+
+
+CASES = {function.__name__: function for function in
+         (confined_compression, unconfined_compression, two_columns)}
+
+
+def parse(argv: list[str] | None = None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", choices=CASES)
+    parser.add_argument("-o", "--output",
+                        help="file to write (default: CASE.msh)")
+    parser.add_argument("--size", type=indentation.positive, default=1.0,
+                        help="factor on all mesh sizes (default: %(default)s)")
+    args = parser.parse_args(argv)
+    args.output = args.output or f"{args.case}.msh"
+    folder = os.path.dirname(os.path.abspath(args.output))
+    if not os.path.isdir(folder):
+        parser.error(f"--output: there is no directory '{folder}'")
+    if not args.output.endswith(".msh"):
+        parser.error(f"--output: '{args.output}' does not end in .msh")
+    return args
+
+
+def main(argv: list[str] | None = None) -> int:
+    args = parse(argv)
+    gmsh.initialize([""])
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.option.setNumber("General.NumThreads", 1)
+        bodies = CASES[args.case](args.size)
+        names = [name for body in bodies.values() for name in body.surfaces]
+        gmsh_bodies.assemble(
+            args.case, bodies,
+            {region: i for i, region in enumerate(bodies, 1)},
+            {name: i for i, name in enumerate(names, 1)})
+        gmsh.write(args.output)
+    except Exception as error:   # gmsh raises bare Exception
+        print(f"boxes.py: error: {error}", file=sys.stderr)
+        return 1
+    finally:
+        gmsh.finalize()
+    print(f"wrote {args.output}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

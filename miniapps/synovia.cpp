@@ -1,0 +1,230 @@
+//                  Synovia: runs a case that a file describes
+//
+//   mpirun -np 2 synovia indentation.toml
+//
+// The file names the mesh, the materials of its regions, what is prescribed on
+// its surfaces, which of them touch, and what to write. `synovia --dry-schema`
+// lists all keys; miniapps/cases/ has examples, which open with what they are
+// and how to run them.
+//
+// Writes to the output directory: history.csv, history.h5 (a row for each
+// step), lines/ (profiles), fields/ (ParaView), run.log, and case.toml, the
+// case as it ran.
+//
+// Sample runs:
+//   python3 meshes/boxes.py confined_compression -o confined_compression.msh
+//   mpirun -np 2 synovia miniapps/cases/confined_compression.toml
+//   synovia miniapps/cases/confined_compression.toml --check
+//   synovia miniapps/cases/confined_compression.toml --set time.step=50
+
+#include "synovia.hpp"
+
+#include "general/suggestion.hpp"
+#include "general/version.hpp"
+
+#include <iostream>
+
+using namespace synovia;
+
+namespace
+{
+
+constexpr const char *usage =
+   R"(usage: synovia CASE.toml [OPTION...]     (also with mpirun -np N before it)
+
+  --check               stop after the check, and print the problem
+  --set KEY.PATH=VALUE  override a key; the value as in the file, such as
+                        time.step=5 or 'output.directory="out"'. Entries of lists
+                        go by number from 0 or by name: contact.0.penalty=10.
+                        Can be given several times
+  --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'
+  --dry-schema          list all keys of a case with types, defaults and units
+  --help                print this
+  --version             print the versions of synovia and what it uses
+)";
+
+const std::vector<std::string> option_names = {
+   "--check", "--set", "--output", "--dry-schema", "--help", "--version"};
+
+struct Options
+{
+   std::string file;
+   std::vector<std::string> overrides;
+   bool check = false;
+   bool schema = false;
+   bool help = false;
+   bool version = false;
+};
+
+[[noreturn]] void Fail(const std::string &problem)
+{
+   throw Error(problem + "; --help lists the options");
+}
+
+/// The arguments one by one, --option=value taken apart.
+class Arguments
+{
+public:
+   Arguments(int argc, char *argv[]) : words(argv + 1, argv + argc) {}
+
+   bool Next(std::string &word)
+   {
+      if (at == words.size())
+      {
+         return false;
+      }
+      word = words[at++];
+      const size_t equals = word.find('=');
+      has_value = word.rfind("--", 0) == 0 && equals != std::string::npos;
+      if (has_value)
+      {
+         value = word.substr(equals + 1);
+         word.resize(equals);
+      }
+      return true;
+   }
+
+   /// What goes with the last word.
+   std::string Value(const std::string &option)
+   {
+      if (has_value)
+      {
+         has_value = false;
+         return value;
+      }
+      if (at == words.size())
+      {
+         Fail(option + " needs a value");
+      }
+      return words[at++];
+   }
+
+   /// For options that take none.
+   void NoValue(const std::string &option) const
+   {
+      if (has_value)
+      {
+         Fail(option + " takes no value");
+      }
+   }
+
+private:
+   std::vector<std::string> words;
+   size_t at = 0;
+   bool has_value = false;
+   std::string value;
+};
+
+Options Parse(int argc, char *argv[])
+{
+   Options options;
+   Arguments arguments(argc, argv);
+   std::string word;
+   while (arguments.Next(word))
+   {
+      if (word == "--set")
+      {
+         options.overrides.push_back(arguments.Value(word));
+         continue;
+      }
+      if (word == "--output")
+      {
+         options.overrides.push_back("output.directory=" +
+                                     Quoted(arguments.Value(word)));
+         continue;
+      }
+      arguments.NoValue(word);
+      if (word == "--check")
+      {
+         options.check = true;
+      }
+      else if (word == "--dry-schema")
+      {
+         options.schema = true;
+      }
+      else if (word == "--help" || word == "-h")
+      {
+         options.help = true;
+      }
+      else if (word == "--version")
+      {
+         options.version = true;
+      }
+      else if (!word.empty() && word[0] == '-')
+      {
+         const std::string guess = Suggest(word, option_names);
+         Fail("there is no option " + word +
+              (guess.empty() ? "" : "; did you mean " + guess + "?"));
+      }
+      else if (!options.file.empty())
+      {
+         Fail("two case files are given: " + options.file + " and " + word);
+      }
+      else
+      {
+         options.file = word;
+      }
+   }
+   return options;
+}
+
+/// Whether there was something to print and nothing else to do.
+bool Print(const Options &options)
+{
+   if (options.help || options.version || options.schema)
+   {
+      if (mfem::Mpi::Root())
+      {
+         if (options.help)
+         {
+            std::cout << usage;
+         }
+         if (options.version)
+         {
+            for (const auto &[name, version] : Versions())
+            {
+               std::cout << name << ' ' << version << '\n';
+            }
+         }
+         if (options.schema)
+         {
+            ListCaseKeys(std::cout);
+         }
+         std::cout << std::flush;
+      }
+      return true;
+   }
+   return false;
+}
+
+int Run(int argc, char *argv[])
+{
+   const Options options = Parse(argc, argv);
+   if (Print(options))
+   {
+      return 0;
+   }
+   if (options.file.empty())
+   {
+      Fail("no case file is given");
+   }
+   Simulation simulation(
+      ReadCase(options.file, MPI_COMM_WORLD, options.overrides),
+      MPI_COMM_WORLD);
+   if (options.check)
+   {
+      simulation.Describe(std::cout);
+      return 0;
+   }
+   simulation.Run();
+   return 0;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+   mfem::Mpi::Init(argc, argv);
+   mfem::Hypre::Init();
+   return RunMain("synovia", Run, argc, argv);
+}

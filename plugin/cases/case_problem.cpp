@@ -1,0 +1,243 @@
+#include "cases/case_problem.hpp"
+#include "cases/body.hpp"
+#include "general/error.hpp"
+#include "materials/isotropic_elastic.hpp"
+
+#include <map>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+std::string Path(const std::string &list, size_t i, const std::string &key)
+{
+   return list + "." + std::to_string(i) + "." + key;
+}
+
+/// Looks up the names of a case in its mesh, and complains about those that
+/// aren't there.
+class NameCheck
+{
+public:
+   NameCheck(const NamedMesh &mesh_, CaseReading &reading_)
+      : mesh(mesh_), reading(reading_)
+   {
+   }
+
+   Array<int> Regions(const std::vector<std::string> &names,
+                      const std::string &path)
+   {
+      return Find(names, path, &NamedMesh::Region);
+   }
+   Array<int> Boundaries(const std::vector<std::string> &names,
+                         const std::string &path)
+   {
+      return Find(names, path, &NamedMesh::Boundary);
+   }
+
+private:
+   Array<int> Find(const std::vector<std::string> &names,
+                   const std::string &path,
+                   Array<int> (NamedMesh::*find)(const std::string &) const)
+   {
+      Array<int> all;
+      for (size_t i = 0; i < names.size(); i++)
+      {
+         try
+         {
+            all.Append((mesh.*find)(names[i]));
+         }
+         catch (const Error &error) // on all ranks alike
+         {
+            reading.Complain(path + "." + std::to_string(i), error.what());
+         }
+      }
+      return all;
+   }
+
+   const NamedMesh &mesh;
+   CaseReading &reading;
+};
+
+void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
+                    NameCheck &names, CaseReading &reading)
+{
+   std::map<int, std::string> given;
+   for (size_t i = 0; i < setup.materials.size(); i++)
+   {
+      const std::string path = Path("material", i, "regions");
+      for (const int region : names.Regions(setup.materials[i].regions, path))
+      {
+         const auto [first, fresh] = given.emplace(region, path);
+         if (!fresh)
+         {
+            reading.Complain(path,
+                             "the region \"" + NameOf(mesh.Regions(), region) +
+                                "\" has a material already (" +
+                                WhereIs(reading.Places(), first->second) + ")");
+         }
+      }
+   }
+   for (const int region : mesh.Get().attributes)
+   {
+      if (!given.count(region) && !reading.Count())
+      {
+         reading.Complain("material", "the region \"" +
+                                         NameOf(mesh.Regions(), region) +
+                                         "\" has no material");
+      }
+   }
+}
+
+/// The surfaces that hold, and those that touch.
+struct Surfaces
+{
+   Array<int> held[3];
+   Array<int> contact;
+};
+
+Surfaces CheckSurfaces(const CaseFile &setup, NameCheck &names)
+{
+   Surfaces surfaces;
+   for (size_t i = 0; i < setup.boundaries.size(); i++)
+   {
+      const BoundaryCase &boundary = setup.boundaries[i];
+      const Array<int> found =
+         names.Boundaries(boundary.surfaces, Path("boundary", i, "surfaces"));
+      for (int d = 0; d < 3; d++)
+      {
+         if (boundary.displacement[d])
+         {
+            surfaces.held[d].Append(found);
+         }
+      }
+   }
+   for (size_t i = 0; i < setup.contacts.size(); i++)
+   {
+      const ContactCase &contact = setup.contacts[i];
+      surfaces.contact.Append(
+         names.Boundaries(contact.source, Path("contact", i, "source")));
+      surfaces.contact.Append(names.Boundaries(
+         contact.destination, Path("contact", i, "destination")));
+   }
+   return surfaces;
+}
+
+void CheckSupports(const std::vector<Body> &bodies, const Surfaces &surfaces,
+                   CaseReading &reading)
+{
+   const char *const axes[3] = {"x", "y", "z"};
+   for (const Body &body : bodies)
+   {
+      if (body.Touches(surfaces.contact))
+      {
+         continue;
+      }
+      for (int d = 0; d < 3; d++)
+      {
+         if (!body.Touches(surfaces.held[d]))
+         {
+            reading.Complain("boundary", "nothing holds \"" + body.name +
+                                            "\" along " + axes[d] +
+                                            "; prescribe that displacement on "
+                                            "one of its surfaces");
+         }
+      }
+   }
+}
+
+NamedMesh &Verified(const CaseFile &setup, NamedMesh &mesh)
+{
+   CaseReading reading(setup.places);
+   NameCheck names(mesh, reading);
+   CheckMaterials(setup, mesh, names, reading);
+   CheckSurfaces(setup, names);
+   reading.ThrowIfAny();
+   return mesh;
+}
+
+std::unique_ptr<SolidLaw> MakeSolid(const SolidCase &solid)
+{
+   if (solid.model != SolidModel::isotropic)
+   {
+      throw Error("only isotropic solids are supported yet");
+   }
+   return std::make_unique<IsotropicElastic>(solid.young, solid.poisson);
+}
+} // namespace
+
+CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
+   : problem(Verified(setup, mesh), setup.space)
+{
+   CaseReading reading(setup.places);
+   NameCheck names(mesh, reading);
+   CheckSupports(FindBodies(mesh, problem.Spaces()),
+                 CheckSurfaces(setup, names), reading);
+   reading.ThrowIfAny();
+
+   SetMaterials(setup);
+   for (const BoundaryCase &boundary : setup.boundaries)
+   {
+      SetBoundary(boundary);
+   }
+   for (const ContactCase &contact : setup.contacts)
+   {
+      problem.AddContact(contact.source, contact.destination, contact.options,
+                         contact.Name());
+   }
+   problem.SetNonlinearOptions(setup.solver);
+}
+
+void CaseProblem::SetMaterials(const CaseFile &setup)
+{
+   for (const MaterialCase &material : setup.materials)
+   {
+      solids.push_back(MakeSolid(material.solid));
+      permeabilities.push_back(
+         std::make_unique<ConstantPermeability>(material.permeability.value));
+      for (const std::string &region : material.regions)
+      {
+         problem.SetMaterial(region, *solids.back(), *permeabilities.back(),
+                             material.solid_fraction);
+      }
+   }
+}
+
+void CaseProblem::SetBoundary(const BoundaryCase &boundary)
+{
+   for (const std::string &surface : boundary.surfaces)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         if (boundary.displacement[d])
+         {
+            problem.PrescribeDisplacement(surface, d,
+                                          *boundary.displacement[d]);
+         }
+         if (boundary.traction)
+         {
+            Vector direction(3);
+            direction = 0.0;
+            direction[d] = 1.0;
+            problem.AddTraction(surface, direction, (*boundary.traction)[d]);
+         }
+      }
+      if (boundary.pressure)
+      {
+         problem.PrescribePressure(surface, *boundary.pressure);
+      }
+      if (boundary.normal_traction)
+      {
+         problem.AddNormalTraction(surface, *boundary.normal_traction);
+      }
+      if (boundary.normal_flux)
+      {
+         problem.AddNormalFlux(surface, *boundary.normal_flux);
+      }
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "cases/case_file.hpp"
+#include "mesh/named_mesh.hpp"
+#include "physics/biphasic_problem.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// The biphasic problem that a case describes on its mesh, with the laws that
+/// it borrows.
+class CaseProblem
+{
+public:
+   /// Borrows @a mesh. Collective. Throws Error that lists, with their places,
+   /// names that the mesh doesn't have, regions with two materials or none, and
+   /// bodies that neither displacements nor contact hold.
+   CaseProblem(const CaseFile &setup, NamedMesh &mesh);
+
+   BiphasicProblem &Get() { return problem; }
+   const BiphasicProblem &Get() const { return problem; }
+
+private:
+   void SetMaterials(const CaseFile &setup);
+   void SetBoundary(const BoundaryCase &boundary);
+
+   BiphasicProblem problem;
+   std::vector<std::unique_ptr<SolidLaw>> solids;
+   std::vector<std::unique_ptr<PermeabilityLaw>> permeabilities;
+};
+
+} // namespace synovia

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace synovia
+{
+
+/// Synovia's version, such as "0.1.0".
+std::string Version();
+
+/// Names and versions of Synovia and of what it computes with.
+std::vector<std::pair<std::string, std::string>> Versions();
+
+} // namespace synovia
