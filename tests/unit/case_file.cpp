@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
+#include <filesystem>
 #include <sstream>
 
 using namespace mfem;

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""The shipped case files, from mesh to results, against closed forms.
+
+Requirements: each case runs as its opening comment says, on two ranks, with the
+accuracy stated there; the fluid balance is kept in every step; no case gives a
+penalty; what is written is a case again, which gives the same.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import gmsh  # noqa: F401
+except (ImportError, OSError):
+    print("skipped: no gmsh module for Python")
+    sys.exit(242)
+
+SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
+BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
+MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+CASES = SOURCE / "miniapps" / "cases"
+E, NU, KAPPA = 0.5417, 0.0833, 4.0e-3
+H_A = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
+
+checks = 0
+run_cases: set[str] = set()
+
+
+def check(condition: bool, text: str) -> None:
+    global checks
+    checks += 1
+    print(("ok      " if condition else "FAILED  ") + text, flush=True)
+    if not condition:
+        sys.exit(1)
+
+
+def close(value: float, exact: float, tolerance: float, text: str) -> None:
+    check(abs(value / exact - 1) <= tolerance,
+          f"{text}: {value:.6g}, exact {exact:.6g}, "
+          f"{100 * (value / exact - 1):.3f} %")
+
+
+def confined_stress(t: float, speed: float, end: float, h: float) -> float:
+    """Under a platen that moves with this speed until `end`."""
+    c = H_A * KAPPA
+
+    def ramp(t: float) -> float:
+        if t <= 0:
+            return 0.0
+        series = sum(math.exp(-(n * math.pi / h)**2 * c * t) / n**2
+                     for n in range(1, 200))
+        return H_A * speed / h * (t + h * h / c * (1 / 3 - 2 / math.pi**2
+                                                   * series))
+    return ramp(t) - ramp(t - end)
+
+
+def reference(file: str, key: str, column: str) -> dict[float, float]:
+    with open(SOURCE / "tests" / "reference" / file) as stream:
+        rows = csv.DictReader(line for line in stream
+                              if not line.startswith("#"))
+        return {float(row[key]): float(row[column]) for row in rows}
+
+
+class Runs:
+    def __init__(self, directory: pathlib.Path) -> None:
+        self.directory = directory
+
+    def mesh(self, script: str, *arguments: str) -> pathlib.Path:
+        file = self.directory / "mesh.msh"
+        subprocess.run([sys.executable, SOURCE / "meshes" / script,
+                        *arguments, "-o", file], check=True,
+                       stdout=subprocess.DEVNULL)
+        return file
+
+    def __call__(self, case: pathlib.Path, mesh: pathlib.Path,
+                 *settings: str, ranks: int = 2) -> list[dict[str, float]]:
+        run_cases.add(case.stem)
+        output = self.directory / "out"
+        command = [MPIEXEC, "-n", str(ranks), BUILD / "miniapps" / "synovia",
+                   case, "--output", output, "--set", f'mesh.file="{mesh}"']
+        for setting in settings:
+            command += ["--set", setting]
+        run = subprocess.run(command, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, text=True)
+        if run.returncode != 0:
+            print(run.stdout)
+        check(run.returncode == 0, f"{case.name} {' '.join(settings)}: exit "
+              f"status {run.returncode}")
+        with open(output / "history.csv") as file:
+            rows = [{name: float(value) for name, value in row.items()}
+                    for row in csv.DictReader(file)]
+        worst = max(abs(row["fluid.volume_balance"])
+                    / max(abs(row["fluid.outflow"]), 1e-12) for row in rows)
+        check(worst <= 1e-6, f"fluid balance to {worst:.1e} of the outflow in "
+              f"each of {len(rows)} steps")
+        return rows
+
+
+def at(rows: list[dict[str, float]], t: float) -> dict[str, float]:
+    found = [row for row in rows if abs(row["t"] - t) < 1e-6]
+    check(len(found) == 1, f"a step ends at t = {t:g}")
+    return found[0]
+
+
+def confined(run: Runs) -> None:
+    mesh = run.mesh("boxes.py", "confined_compression")
+    rows = run(CASES / "confined_compression.toml", mesh)
+    for t in (50, 250, 500, 750):
+        close(-at(rows, t)["reaction.top.z"] / 0.04,
+              confined_stress(t, 0.075 / 500, 500, 0.75), 1e-3,
+              f"stress at {t} s")
+    exact = reference("confined_ramp_reaction.csv", "t", "p_base")
+    with open(run.directory / "out" / "lines" / "depth_t250.csv") as file:
+        base = next(csv.DictReader(file))
+    close(float(base["p"]), exact[250.0], 3e-3, "pressure at the base, 250 s")
+    again = run(run.directory / "out" / "case.toml", mesh, "time.end=50",
+                ranks=1)
+    close(again[-1]["reaction.top.z"], at(rows, 50)["reaction.top.z"], 1e-7,
+          "the same from the case that was written, on another number of ranks")
+    adaptive = run(CASES / "confined_compression.toml", mesh,
+                   "time.adaptive=true")
+    close(-at(adaptive, 500)["reaction.top.z"] / 0.04,
+          confined_stress(500, 0.075 / 500, 500, 0.75), 5e-3,
+          "stress with adaptive steps")
+
+
+def unconfined(run: Runs) -> None:
+    mesh = run.mesh("boxes.py", "unconfined_compression")
+    rows = run(CASES / "unconfined_compression.toml", mesh)
+    exact = reference("unconfined_ramp_force.csv", "t", "F")
+    for t in (100, 250, 500, 700, 1000):
+        close(-4 * at(rows, t)["reaction.top.z"], exact[t], 3e-3,
+              f"force at {t} s")
+
+
+def two_columns(run: Runs) -> None:
+    rows = run(CASES / "two_columns.toml", run.mesh("boxes.py", "two_columns"))
+    for t in (100, 250, 500, 750, 1000):
+        close(-at(rows, t)["reaction.upper_top.z"] / 0.09,
+              confined_stress(t, 0.1 / 500, 500, 1.5), 1e-3, f"stress at {t} s")
+    for row in rows:
+        if (row["contact.columns.force_error"]
+                > 1e-10 * abs(row["contact.columns.force_z"])):
+            check(False, f"forces in balance: {row}")
+
+
+def indentation(run: Runs) -> None:
+    mesh = run.mesh("indentation.py", "--size", "1.9")
+    rows = run(CASES / "indentation.toml", mesh, "time.end=250")
+    close(4 * at(rows, 250)["contact.indenter-cartilage.source_force_z"],
+          0.0802910477, 1e-2, "force at 250 s")
+    augmentations = sum(row["solver.augmentations"] for row in rows)
+    check(augmentations <= 3 * len(rows),
+          f"{augmentations / len(rows):.2f} augmentations a step")
+    for name in ("axis_t250", "contact_cartilage_t250",
+                 "contact_indenter_t250"):
+        check((run.directory / "out" / "lines" / f"{name}.csv").exists(),
+              f"lines/{name}.csv")
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        run = Runs(pathlib.Path(name))
+        for case in (confined, unconfined, two_columns, indentation):
+            case(run)
+    for case in sorted(CASES.glob("*.toml")):
+        check("penalty" not in case.read_text(), f"{case.name}: no penalty")
+    check(run_cases == HERE | {"case"}, "all cases were run")
+    print(f"all {checks} checks passed")
+
+
+# Others have tests of their own.
+HERE = {"confined_compression", "unconfined_compression", "two_columns",
+        "indentation"}
+
+if __name__ == "__main__":
+    main()
