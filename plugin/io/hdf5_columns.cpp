@@ -1,6 +1,5 @@
 #include "io/hdf5_columns.hpp"
-
-#include <hdf5.h>
+#include "io/hdf5_guard.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -16,17 +15,6 @@ namespace
 constexpr hsize_t rows_in_a_chunk = 512;
 constexpr std::size_t memory_increment = 1 << 16;
 
-herr_t KeepInnermost(unsigned, const H5E_error2_t *entry, void *text)
-{
-   // H5Ewalk() upwards visits the innermost, most telling, error first.
-   std::string &reason = *static_cast<std::string *>(text);
-   if (reason.empty() && entry->desc)
-   {
-      reason = entry->desc;
-   }
-   return 0;
-}
-
 /// Properties of an open file without locks: a run that is still writing can be
 /// looked at, and some parallel file systems have no locks.
 hid_t Unlocked()
@@ -38,24 +26,9 @@ hid_t Unlocked()
    return access;
 }
 
-/// Closes an identifier at the end of a scope.
-struct Guard
-{
-   hid_t id;
-   herr_t (*close)(hid_t);
-   ~Guard()
-   {
-      if (id >= 0)
-      {
-         close(id);
-      }
-   }
-};
-
 [[noreturn]] void Fail(const std::string &what, const std::string &path)
 {
-   std::string reason;
-   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, KeepInnermost, &reason);
+   const std::string reason = Hdf5Reason();
    throw std::runtime_error("cannot " + what + " '" + path + "'" +
                             (reason.empty() ? "" : ": " + reason));
 }
@@ -70,7 +43,7 @@ Hdf5Columns::Hdf5Columns(const std::string &path_,
    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
    // In memory: HDF5 1.10 can't close a file that it could not write, on a full
    // disk say, and crashes when the program ends.
-   const Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
+   const Hdf5Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
    H5Pset_fapl_core(access.id, memory_increment, false);
    file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
    if (file < 0)
@@ -79,8 +52,8 @@ Hdf5Columns::Hdf5Columns(const std::string &path_,
    }
    const hsize_t none = 0;
    const hsize_t unlimited = H5S_UNLIMITED;
-   const Guard space{H5Screate_simple(1, &none, &unlimited), H5Sclose};
-   const Guard layout{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+   const Hdf5Guard space{H5Screate_simple(1, &none, &unlimited), H5Sclose};
+   const Hdf5Guard layout{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
    H5Pset_chunk(layout.id, 1, &rows_in_a_chunk);
    for (const std::string &name : names)
    {
@@ -118,14 +91,14 @@ void Hdf5Columns::Append(const std::vector<double> &row)
    const hsize_t one = 1;
    const hsize_t last = rows;
    const hsize_t count = rows + 1;
-   const Guard memory{H5Screate_simple(1, &one, nullptr), H5Sclose};
+   const Hdf5Guard memory{H5Screate_simple(1, &one, nullptr), H5Sclose};
    for (std::size_t i = 0; i < columns.size(); i++)
    {
       if (H5Dset_extent(columns[i], &count) < 0)
       {
          Fail("extend", path);
       }
-      const Guard space{H5Dget_space(columns[i]), H5Sclose};
+      const Hdf5Guard space{H5Dget_space(columns[i]), H5Sclose};
       if (H5Sselect_hyperslab(space.id, H5S_SELECT_SET, &last, nullptr, &one,
                               nullptr) < 0 ||
           H5Dwrite(columns[i], H5T_NATIVE_DOUBLE, memory.id, space.id,
@@ -171,19 +144,20 @@ std::vector<double> ReadHdf5Column(const std::string &file,
                                    const std::string &name)
 {
    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-   const Guard access{Unlocked(), H5Pclose};
-   const Guard opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id),
-                      H5Fclose};
+   const Hdf5Guard access{Unlocked(), H5Pclose};
+   const Hdf5Guard opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id),
+                          H5Fclose};
    if (opened.id < 0)
    {
       Fail("open", file);
    }
-   const Guard column{H5Dopen2(opened.id, name.c_str(), H5P_DEFAULT), H5Dclose};
+   const Hdf5Guard column{H5Dopen2(opened.id, name.c_str(), H5P_DEFAULT),
+                          H5Dclose};
    if (column.id < 0)
    {
       Fail("find the column '" + name + "' of", file);
    }
-   const Guard space{H5Dget_space(column.id), H5Sclose};
+   const Hdf5Guard space{H5Dget_space(column.id), H5Sclose};
    std::vector<double> values(H5Sget_simple_extent_npoints(space.id));
    if (H5Dread(column.id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                values.data()) < 0)

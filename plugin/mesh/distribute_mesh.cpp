@@ -105,7 +105,8 @@ NamedMesh DistributeMesh(Mesh &serial, NameTable regions, NameTable boundaries,
    ThrowIfTangled(comm, serial, mine, same, regions);
 
    auto mesh = std::make_unique<ParMesh>(comm, serial, partitioning);
-   return NamedMesh(std::move(mesh), std::move(regions), std::move(boundaries));
+   return NamedMesh(std::move(mesh), std::move(regions), std::move(boundaries),
+                    std::move(mine));
 }
 
 } // namespace synovia

@@ -3,6 +3,7 @@
 #include "general/suggestion.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace synovia
 {
@@ -121,11 +122,22 @@ void EnterSets(const NameTable &names, AttributeSets &sets)
 } // namespace
 
 NamedMesh::NamedMesh(std::unique_ptr<ParMesh> mesh_, NameTable regions_,
-                     NameTable boundaries_)
+                     NameTable boundaries_, std::vector<int> serial_elements_)
    : mesh(std::move(mesh_)), regions(std::move(regions_)),
-     boundaries(std::move(boundaries_))
+     boundaries(std::move(boundaries_)),
+     serial_elements(std::move(serial_elements_))
 {
    MFEM_VERIFY(mesh, "a named mesh needs a mesh");
+   int before = 0;
+   int count = mesh->GetNE();
+   MPI_Scan(&count, &before, 1, MPI_INT, MPI_SUM, mesh->GetComm());
+   if (serial_elements.empty())
+   {
+      serial_elements.resize(count);
+      std::iota(serial_elements.begin(), serial_elements.end(), before - count);
+   }
+   MFEM_VERIFY(static_cast<int>(serial_elements.size()) == mesh->GetNE(),
+               "a number is needed for each element");
    Normalise(regions);
    Normalise(boundaries);
    EnterSets(regions, mesh->attribute_sets);

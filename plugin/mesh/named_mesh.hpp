@@ -24,8 +24,10 @@ class NamedMesh
 public:
    /// Takes the mesh. The tables must be the same on all ranks. The names are
    /// entered in the mesh's attribute_sets and bdr_attribute_sets too.
+   /// @a serial_elements are the numbers, in the mesh before distribution, of
+   /// the elements of this rank; none stands for the order of the ranks.
    NamedMesh(std::unique_ptr<mfem::ParMesh> mesh, NameTable regions,
-             NameTable boundaries);
+             NameTable boundaries, std::vector<int> serial_elements = {});
 
    mfem::ParMesh &Get() { return *mesh; }
    const mfem::ParMesh &Get() const { return *mesh; }
@@ -42,10 +44,16 @@ public:
    const NameTable &Regions() const { return regions; }
    const NameTable &Boundaries() const { return boundaries; }
 
+   /// For each element of this rank its number in the mesh before it was
+   /// distributed: the same element whatever the number of ranks, and with the
+   /// same order of its vertices.
+   const std::vector<int> &SerialElements() const { return serial_elements; }
+
 private:
    std::unique_ptr<mfem::ParMesh> mesh;
    NameTable regions;
    NameTable boundaries;
+   std::vector<int> serial_elements;
 };
 
 /// The names that stand for an attribute, joined by slashes, or its number.
