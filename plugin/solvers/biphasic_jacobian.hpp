@@ -39,8 +39,9 @@ public:
    /// y += B x for x with zeros at prescribed dofs.
    void AddDivergence(const mfem::Vector &x, mfem::Vector &y) const;
 
-   /// dt L + S + dt J^T W_p J + M / H_A with unit rows for prescribed dofs: an
-   /// approximation of the Schur complement, less its sign.
+   /// dt L + S + c M / H_A with unit rows and columns for prescribed dofs: an
+   /// approximation of the Schur complement, less its sign, but for the
+   /// contact.
    std::unique_ptr<mfem::HypreParMatrix> SchurComplement() const;
    /// The whole matrix, assembled.
    std::unique_ptr<mfem::HypreParMatrix> Assemble() const;
@@ -52,6 +53,9 @@ public:
    const VolumeMatrices &Volume() const { return matrices; }
 
 private:
+   /// dt L + S
+   std::unique_ptr<mfem::HypreParMatrix> FlowBlock() const;
+   /// dt L + S + dt J^T W_p J
    std::unique_ptr<mfem::HypreParMatrix> PressureBlock() const;
    void AddContact(const mfem::HypreParMatrix &factor,
                    const mfem::Vector &weights, mfem::real_t scale,

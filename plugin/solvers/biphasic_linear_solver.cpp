@@ -95,8 +95,7 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
    }
    else
    {
-      preconditioner =
-         std::make_unique<BlockAmgPreconditioner>(jacobian, spaces);
+      preconditioner = std::make_unique<BlockAmgPreconditioner>(jacobian, comm);
    }
 }
 

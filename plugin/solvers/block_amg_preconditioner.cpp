@@ -44,12 +44,42 @@ bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
    }
    return AnyRank(changed, comm);
 }
+
+using GetFactor = std::unique_ptr<HypreParMatrix> GapOperators::*;
+
+std::vector<const HypreParMatrix *> Factors(const ContactPairs &pairs,
+                                            GetFactor factor)
+{
+   std::vector<const HypreParMatrix *> factors;
+   for (const ContactPair *pair : pairs)
+   {
+      factors.push_back((pair->Operators().*factor).get());
+   }
+   return factors;
+}
+
+std::unique_ptr<HypreParMatrix> FreeStiffness(const BiphasicJacobian &jacobian)
+{
+   auto stiffness =
+      std::make_unique<HypreParMatrix>(*jacobian.Volume().stiffness);
+   stiffness->EliminateBC(jacobian.DisplacementDofs(), Operator::DIAG_ONE);
+   return stiffness;
+}
+
+std::unique_ptr<HypreBoomerAMG> ElasticityAmg()
+{
+   auto amg = std::make_unique<HypreBoomerAMG>();
+   amg->SetSystemsOptions(3, false);
+   amg->SetAggressiveCoarsening(0);
+   return amg;
+}
 } // namespace
 
 BlockAmgPreconditioner::BlockAmgPreconditioner(
-   const BiphasicJacobian &jacobian_, BiphasicSpaces &spaces)
+   const BiphasicJacobian &jacobian_, MPI_Comm comm_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     displacement(jacobian_, spaces.Displacement())
+     comm(comm_), displacement(FreeStiffness(jacobian_),
+                               jacobian_.DisplacementDofs(), ElasticityAmg())
 {
 }
 
@@ -60,7 +90,6 @@ void BlockAmgPreconditioner::ContactMoved()
 
 void BlockAmgPreconditioner::Update()
 {
-   MPI_Comm comm = jacobian.Volume().darcy->GetComm();
    const bool gaps_changed =
       TakeWeights(jacobian.Pairs(), comm, gap_weights,
                   [](const ContactPair &pair) -> const Vector &
@@ -69,29 +98,53 @@ void BlockAmgPreconditioner::Update()
       TakeWeights(jacobian.Pairs(), comm, jump_weights,
                   [](const ContactPair &pair) -> const Vector &
                   { return pair.JumpWeights(); });
+   UpdateDisplacement(gaps_changed);
+   UpdatePressure(jumps_changed);
+   moved = false;
+}
+
+void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
+{
    if (moved)
    {
-      displacement.UpdateSubspace();
+      displacement.SetFactors(Factors(jacobian.Pairs(), &GapOperators::gap));
    }
    if (moved || gaps_changed)
    {
-      displacement.UpdateWeights();
+      displacement.SetWeights(gap_weights);
    }
+}
+
+void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
+{
    const bool drains_elsewhere =
       AnyRank(!(p_dofs == jacobian.PressureDofs()), comm);
    // Steps that end on a corner differ by round-off.
    const bool other_step =
       std::abs(dt - jacobian.TimeStep()) > 1e-6 * jacobian.TimeStep();
-   if (moved || jumps_changed || drains_elsewhere || other_step)
+   const bool other_matrix = !pressure || drains_elsewhere || other_step;
+   if (other_matrix)
    {
       dt = jacobian.TimeStep();
       p_dofs = jacobian.PressureDofs();
       pressure.reset();
-      schur = jacobian.SchurComplement();
-      pressure = std::make_unique<HypreBoomerAMG>(*schur);
-      pressure->SetPrintLevel(0);
+      pressure =
+         std::make_unique<FilteredAmg>(jacobian.SchurComplement(), p_dofs,
+                                       std::make_unique<HypreBoomerAMG>());
    }
-   moved = false;
+   if (moved || other_matrix)
+   {
+      pressure->SetFactors(Factors(jacobian.Pairs(), &GapOperators::jump));
+   }
+   if (moved || other_matrix || jumps_changed)
+   {
+      std::vector<Vector> weights(jump_weights);
+      for (Vector &w : weights)
+      {
+         w *= dt;
+      }
+      pressure->SetWeights(weights);
+   }
 }
 
 void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const

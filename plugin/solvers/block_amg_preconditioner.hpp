@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solvers/biphasic_linear_solver.hpp"
-#include "solvers/contact_filter.hpp"
+#include "solvers/filtered_amg.hpp"
 
 #include <limits>
 
@@ -9,13 +9,12 @@ namespace synovia
 {
 
 /// Block lower triangular: u = A^-1 r_u, p = -S^-1 (r_p + B u), with filtered
-/// multigrid for A and multigrid for the Schur complement S (fixed stress).
+/// multigrid for A and for the Schur complement S (fixed stress).
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
-   /// Borrows its arguments. Collective.
-   BlockAmgPreconditioner(const BiphasicJacobian &jacobian,
-                          BiphasicSpaces &spaces);
+   /// Borrows @a jacobian. Collective.
+   BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm);
 
    void ContactMoved() override;
    void Update() override;
@@ -24,10 +23,13 @@ public:
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
+   void UpdateDisplacement(bool gaps_changed);
+   void UpdatePressure(bool jumps_changed);
+
    const BiphasicJacobian &jacobian;
+   MPI_Comm comm;
    FilteredAmg displacement;
-   std::unique_ptr<mfem::HypreParMatrix> schur;
-   std::unique_ptr<mfem::HypreBoomerAMG> pressure;
+   std::unique_ptr<FilteredAmg> pressure;
    bool moved = true;
    mfem::real_t dt = -1.0;
    mfem::Array<int> p_dofs;

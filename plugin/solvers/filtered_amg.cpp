@@ -1,5 +1,6 @@
-#include "solvers/contact_filter.hpp"
+#include "solvers/filtered_amg.hpp"
 #include "general/reduce.hpp"
+#include "solvers/biphasic_jacobian.hpp"
 #include "solvers/direct_solver.hpp"
 
 namespace synovia
@@ -54,22 +55,18 @@ void MarkColumns(const HypreParMatrix &matrix, Array<int> &marker)
 }
 } // namespace
 
-FilteredAmg::FilteredAmg(const BiphasicJacobian &jacobian_,
-                         ParFiniteElementSpace &displacement)
-   : Solver(displacement.GetTrueVSize()), jacobian(jacobian_),
-     stiffness(std::make_unique<HypreParMatrix>(*jacobian.Volume().stiffness))
+FilteredAmg::FilteredAmg(std::unique_ptr<HypreParMatrix> matrix_,
+                         const Array<int> &prescribed_,
+                         std::unique_ptr<HypreBoomerAMG> amg_)
+   : Solver(matrix_->Height()), matrix(std::move(matrix_)),
+     prescribed(prescribed_), amg(std::move(amg_)), residual(height),
+     correction(height)
 {
-   stiffness->EliminateBC(jacobian.DisplacementDofs(), DIAG_ONE);
-   amg.SetPrintLevel(0);
-   amg.SetOperator(*stiffness);
-   amg.SetSystemsOptions(3, false);
-   // One level of aggressive coarsening costs a few iterations and saves more
-   // on each of them.
-   amg.SetAggressiveCoarsening(1);
-   Vector x(height);
-   Vector y(height);
-   x = 0.0;
-   amg.Mult(x, y);
+   amg->SetPrintLevel(0);
+   amg->SetOperator(*matrix);
+   // hypre sets up at the first use: now, while it can be timed as set-up.
+   residual = 0.0;
+   amg->Mult(residual, correction);
 }
 
 void FilteredAmg::SetOperator(const Operator &)
@@ -77,15 +74,15 @@ void FilteredAmg::SetOperator(const Operator &)
    MFEM_ABORT("the filtered multigrid keeps its operator");
 }
 
-void FilteredAmg::UpdateSubspace()
+void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
 {
    Array<int> marker(height);
    marker = 0;
-   for (const ContactPair *pair : jacobian.Pairs())
+   for (const HypreParMatrix *factor : factors)
    {
-      MarkColumns(*pair->Operators().gap, marker);
+      MarkColumns(*factor, marker);
    }
-   for (const int dof : jacobian.DisplacementDofs())
+   for (const int dof : prescribed)
    {
       marker[dof] = 0;
    }
@@ -97,65 +94,74 @@ void FilteredAmg::UpdateSubspace()
          contact_dofs.Append(i);
       }
    }
-   has_contact = AnyRank(contact_dofs.Size() > 0, stiffness->GetComm());
    contact_solver.reset();
-   gaps_in_contact.clear();
+   penalties.reset();
+   factors_in_contact.clear();
+   has_contact = AnyRank(contact_dofs.Size() > 0, matrix->GetComm());
    if (!has_contact)
    {
       return;
    }
-   restriction = Injection(*stiffness, contact_dofs);
-   stiffness_in_contact.reset(RAP(stiffness.get(), restriction.get()));
-   for (const ContactPair *pair : jacobian.Pairs())
+   small_residual.SetSize(contact_dofs.Size());
+   small_correction.SetSize(contact_dofs.Size());
+   restriction = Injection(*matrix, contact_dofs);
+   matrix_in_contact.reset(RAP(matrix.get(), restriction.get()));
+   for (const HypreParMatrix *factor : factors)
    {
-      gaps_in_contact.emplace_back(
-         ParMult(pair->Operators().gap.get(), restriction.get(), true));
+      factors_in_contact.emplace_back(ParMult(factor, restriction.get(), true));
    }
 }
 
-void FilteredAmg::UpdateWeights()
+void FilteredAmg::SetWeights(const std::vector<Vector> &weights)
 {
    if (!has_contact)
    {
       return;
    }
-   std::unique_ptr<HypreParMatrix> matrix;
-   for (size_t i = 0; i < gaps_in_contact.size(); i++)
+   penalties.reset();
+   for (size_t i = 0; i < factors_in_contact.size(); i++)
    {
-      const auto contact =
-         WeightedSquare(*gaps_in_contact[i], jacobian.Pairs()[i]->GapWeights());
-      const HypreParMatrix &so_far = matrix ? *matrix : *stiffness_in_contact;
-      matrix.reset(Add(1.0, so_far, 1.0, *contact));
+      auto square = WeightedSquare(*factors_in_contact[i], weights[i]);
+      if (penalties)
+      {
+         square.reset(Add(1.0, *penalties, 1.0, *square));
+      }
+      penalties = std::move(square);
    }
-   contact_solver = MakeDirectSolver(*matrix, MatrixKind::positive_definite);
+   const std::unique_ptr<HypreParMatrix> whole(
+      Add(1.0, *matrix_in_contact, 1.0, *penalties));
+   contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
 }
 
 void FilteredAmg::Filter(const Vector &r, Vector &c) const
 {
-   small_residual.SetSize(contact_dofs.Size());
-   small_correction.SetSize(contact_dofs.Size());
    r.GetSubVector(contact_dofs, small_residual);
    contact_solver->Mult(small_residual, small_correction);
    c.AddElementVector(contact_dofs, small_correction);
+}
+
+void FilteredAmg::SetResidual(const Vector &x, const Vector &y) const
+{
+   residual = x;
+   matrix->Mult(-1.0, y, 1.0, residual);
+   y.GetSubVector(contact_dofs, small_correction);
+   penalties->Mult(-1.0, small_correction, 0.0, small_residual);
+   residual.AddElementVector(contact_dofs, small_residual);
 }
 
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
 {
    if (!has_contact)
    {
-      amg.Mult(x, y);
+      amg->Mult(x, y);
       return;
    }
-   residual.SetSize(height);
-   correction.SetSize(height);
    y = 0.0;
    Filter(x, y);
-   jacobian.MultDisplacement(y, residual);
-   subtract(x, residual, residual);
-   amg.Mult(residual, correction);
+   SetResidual(x, y);
+   amg->Mult(residual, correction);
    y += correction;
-   jacobian.MultDisplacement(y, residual);
-   subtract(x, residual, residual);
+   SetResidual(x, y);
    Filter(residual, y);
 }
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// Approximate inverse of A + sum F^T W F that never rebuilds its hierarchy.
+///
+/// A is a matrix that multigrid likes, F the gap or jump operator of a contact
+/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up once on
+/// A alone, stands between two exact solves on the dofs that contact touches:
+/// filter, V-cycle, filter, with the residual renewed in between. So neither
+/// the size of the penalty nor a change of the active set spoils the multigrid.
+/// The idea is AMG with filtering (Petrides et al. 2025); there the hierarchy
+/// is that of the whole matrix and the order is AMG, filter, AMG.
+class FilteredAmg : public mfem::Solver
+{
+public:
+   /// Takes @a matrix, A with unit rows and columns for the @a prescribed true
+   /// dofs, and @a amg, set up to choice but not yet with an operator.
+   /// Collective.
+   FilteredAmg(std::unique_ptr<mfem::HypreParMatrix> matrix,
+               const mfem::Array<int> &prescribed,
+               std::unique_ptr<mfem::HypreBoomerAMG> amg);
+
+   /// Takes other contact operators F, rows x true dofs. Their columns at
+   /// prescribed dofs don't count. SetWeights() must follow. Collective.
+   void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
+   /// Takes other weights, not negative, for each factor, and factorises.
+   /// Collective.
+   void SetWeights(const std::vector<mfem::Vector> &weights);
+
+   void SetOperator(const mfem::Operator &) override;
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+private:
+   void Filter(const mfem::Vector &residual, mfem::Vector &correction) const;
+   void SetResidual(const mfem::Vector &x, const mfem::Vector &y) const;
+
+   std::unique_ptr<mfem::HypreParMatrix> matrix;
+   mfem::Array<int> prescribed;
+   std::unique_ptr<mfem::HypreBoomerAMG> amg;
+   mfem::Array<int> contact_dofs;
+   bool has_contact = false;
+   std::unique_ptr<mfem::HypreParMatrix> restriction;
+   /// All on the contact dofs alone: A, the factors, and sum F^T W F.
+   std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;
+   std::vector<std::unique_ptr<mfem::HypreParMatrix>> factors_in_contact;
+   std::unique_ptr<mfem::HypreParMatrix> penalties;
+   std::unique_ptr<mfem::Solver> contact_solver;
+   mutable mfem::Vector residual;
+   mutable mfem::Vector correction;
+   mutable mfem::Vector small_residual;
+   mutable mfem::Vector small_correction;
+};
+
+} // namespace synovia
