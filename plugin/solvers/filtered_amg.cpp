@@ -53,6 +53,25 @@ void MarkColumns(const HypreParMatrix &matrix, Array<int> &marker)
       }
    }
 }
+
+// Marks what is coupled to marked dofs as well.
+void MarkNeighbours(const HypreParMatrix &matrix, Array<int> &marker)
+{
+   Vector marked(matrix.Width());
+   for (int i = 0; i < marked.Size(); i++)
+   {
+      marked[i] = marker[i];
+   }
+   Vector weight(matrix.Height());
+   matrix.AbsMult(1.0, marked, 0.0, weight);
+   for (int i = 0; i < weight.Size(); i++)
+   {
+      if (weight[i] > 0.0)
+      {
+         marker[i] = 1;
+      }
+   }
+}
 } // namespace
 
 FilteredAmg::FilteredAmg(std::unique_ptr<HypreParMatrix> matrix_,
@@ -82,6 +101,7 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    {
       MarkColumns(*factor, marker);
    }
+   MarkNeighbours(*matrix, marker);
    for (const int dof : prescribed)
    {
       marker[dof] = 0;
