@@ -19,7 +19,8 @@
 // Units are mm, N, s, MPa. meshes/indentation.py makes the mesh.
 //
 // Writes to --output: history.csv, history.h5, lines/ (profiles), fields/
-// (ParaView). scripts/plot_indentation.py draws the paper's pictures from them.
+// (ParaView), run.log, and case.toml, with which the driver does the same.
+// scripts/plot_indentation.py draws the paper's pictures from them.
 //
 // Sample runs (scripts/run does all of it):
 //   python3 meshes/indentation.py -o indentation.msh
@@ -145,41 +146,98 @@ LinearMethod ParseSolver(const std::string &name)
                "\"; there are: auto, block_amg, direct");
 }
 
-struct Profile
-{
-   LineDefinition line;
-   real_t time;
-};
-
 // What the paper's figures show.
-std::vector<Profile> PaperProfiles()
+std::vector<LineCase> PaperProfiles()
 {
    const real_t h = 0.75;
    const auto radial = [](const char *name, real_t z, real_t length, int points,
-                          const char *region)
+                          const char *region, real_t time)
    {
-      LineDefinition line;
-      line.name = name;
-      line.from = {0.0, 0.0, z};
-      line.to = {length, 0.0, z};
-      line.points = points;
-      line.regions = {region};
-      return line;
+      LineCase profile;
+      profile.line.name = name;
+      profile.line.from = {0.0, 0.0, z};
+      profile.line.to = {length, 0.0, z};
+      profile.line.points = points;
+      profile.line.regions = {region};
+      profile.times = {time};
+      return profile;
    };
-   LineDefinition axis;
-   axis.name = "axis";
-   axis.to = {0.0, 0.0, h};
-   axis.points = 76;
-   axis.regions = {"cartilage"};
+   LineCase axis;
+   axis.line.name = "axis";
+   axis.line.to = {0.0, 0.0, h};
+   axis.line.points = 76;
+   axis.line.regions = {"cartilage"};
+   axis.times = {250.0, 500.0};
    // The surface itself has no shear stress; the profile nearest to it is taken
    // a thirtieth of the thickness below.
-   return {{radial("cartilage_top", h - 0.025, 2.99, 300, "cartilage"), 500.0},
-           {radial("cartilage_middle", h / 2, 2.99, 300, "cartilage"), 500.0},
-           {radial("cartilage_bottom", 0.0, 2.99, 300, "cartilage"), 500.0},
-           {axis, 250.0},
-           {axis, 500.0},
-           {radial("contact_cartilage", h, 0.75, 151, "cartilage"), 250.0},
-           {radial("contact_indenter", h, 0.75, 151, "indenter"), 250.0}};
+   return {radial("cartilage_top", h - 0.025, 2.99, 300, "cartilage", 500.0),
+           radial("cartilage_middle", h / 2, 2.99, 300, "cartilage", 500.0),
+           radial("cartilage_bottom", 0.0, 2.99, 300, "cartilage", 500.0),
+           axis,
+           radial("contact_cartilage", h, 0.75, 151, "cartilage", 250.0),
+           radial("contact_indenter", h, 0.75, 151, "indenter", 250.0)};
+}
+
+MaterialCase Material(const char *region, real_t young, real_t poisson,
+                      real_t permeability, real_t solid_fraction)
+{
+   MaterialCase material;
+   material.regions = {region};
+   material.solid.young = young;
+   material.solid.poisson = poisson;
+   material.permeability.value = permeability;
+   material.solid_fraction = solid_fraction;
+   return material;
+}
+
+BoundaryCase Prescribed(const char *surface,
+                        const std::vector<int> &fixed_components)
+{
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   for (const int component : fixed_components)
+   {
+      boundary.displacement[component] = LoadCurve(0.0);
+   }
+   return boundary;
+}
+
+CaseFile MakeCase(const Options &options)
+{
+   CaseFile setup;
+   setup.title = "Flat-ended indentation of a layer of cartilage";
+   setup.mesh.file = options.mesh;
+   setup.space.order = options.order;
+   const real_t rigidity = options.rigid ? 1000.0 : 1.0;
+   setup.materials = {
+      Material("cartilage", options.young, options.poisson,
+               options.permeability, 0.2),
+      Material("indenter", 541.7 * rigidity, 0.125, 4.0 * rigidity, 0.95)};
+   setup.boundaries = {
+      Prescribed("bone", {0, 1, 2}), Prescribed("symmetry_x", {0}),
+      Prescribed("symmetry_y", {1}), Prescribed("indenter_top", {})};
+   BoundaryCase &top = setup.boundaries.back();
+   top.displacement[2] = Ramp(500.0, -0.075);
+   top.pressure = LoadCurve(0.0);
+
+   ContactCase contact;
+   contact.name = "indenter-cartilage";
+   contact.source = {"indenter_bottom"};
+   contact.destination = {"cartilage_top"};
+   contact.options.penalty_factor = options.penalty_factor;
+   // The exact solution is that of small displacements.
+   contact.options.configuration = SearchConfiguration::reference;
+   setup.contacts = {contact};
+
+   setup.time.step = options.step;
+   setup.time.end = options.end;
+   setup.time.scheme = ParseScheme(options.scheme);
+   setup.solver.linear.method = ParseSolver(options.solver);
+   setup.solver.active_set_tolerance = options.active_set_tolerance;
+   setup.output.directory = options.output;
+   setup.output.fields_every = options.fields_every;
+   setup.output.lines = PaperProfiles();
+   return setup;
 }
 
 // Force on the whole cylinder (N), compressive, for a rigid, freely draining
@@ -192,127 +250,18 @@ struct ExactForce
 constexpr ExactForce exact_forces[] = {
    {250.0, 0.0802910477}, {500.0, 0.1495876486}, {1500.0, 0.1383611062}};
 
-bool IsNow(real_t time, const TimeStepper &stepper)
-{
-   return std::abs(time - stepper.Time()) < 1e-9 * (1.0 + time);
-}
-
-/// The laws of both bodies, from the options.
-struct Materials
-{
-   explicit Materials(const Options &options)
-      : cartilage(options.young, options.poisson),
-        cartilage_permeability(options.permeability),
-        indenter(541.7 * Rigidity(options), 0.125),
-        indenter_permeability(4.0 * Rigidity(options))
-   {
-   }
-
-   static real_t Rigidity(const Options &options)
-   {
-      return options.rigid ? 1000.0 : 1.0;
-   }
-
-   IsotropicElastic cartilage;
-   ConstantPermeability cartilage_permeability;
-   IsotropicElastic indenter;
-   ConstantPermeability indenter_permeability;
-};
-
-void Describe(const Options &options, const Materials &materials,
-              BiphasicProblem &problem)
-{
-   problem.SetMaterial("cartilage", materials.cartilage,
-                       materials.cartilage_permeability, 0.2);
-   problem.SetMaterial("indenter", materials.indenter,
-                       materials.indenter_permeability, 0.95);
-   problem.FixDisplacement("bone");
-   problem.PrescribeDisplacement("symmetry_x", 0, 0.0);
-   problem.PrescribeDisplacement("symmetry_y", 1, 0.0);
-   problem.PrescribeDisplacement("indenter_top", 2, Ramp(500.0, -0.075));
-   problem.PrescribePressure("indenter_top", 0.0);
-
-   ContactOptions contact;
-   contact.penalty_factor = options.penalty_factor;
-   // The exact solution is that of small displacements.
-   contact.configuration = SearchConfiguration::reference;
-   problem.AddContact("indenter_bottom", "cartilage_top", contact,
-                      "indenter-cartilage");
-
-   NonlinearOptions nonlinear;
-   nonlinear.linear.method = ParseSolver(options.solver);
-   nonlinear.active_set_tolerance = options.active_set_tolerance;
-   problem.SetNonlinearOptions(nonlinear);
-}
-
-/// History, fields and profiles of the run.
-class Results
-{
-public:
-   Results(const Options &options, BiphasicProblem &problem_,
-           TimeStepper &stepper_)
-      : directory(options.output), problem(problem_), stepper(stepper_),
-        history(directory, MPI_COMM_WORLD), fields(directory, problem, stepper),
-        profiles(PaperProfiles()), fields_every(options.fields_every)
-   {
-   }
-
-   void Add(const StepReport &report)
-   {
-      history.Add(StepDiagnostics(problem, stepper, report));
-      if (fields_every > 0 &&
-          (history.Rows() % fields_every == 0 || stepper.Done()))
-      {
-         fields.Save();
-      }
-      bool updated = false;
-      for (const Profile &profile : profiles)
-      {
-         if (IsNow(profile.time, stepper))
-         {
-            if (!updated)
-            {
-               fields.Update();
-               updated = true;
-            }
-            Write(profile);
-         }
-      }
-   }
-
-private:
-   void Write(const Profile &profile)
-   {
-      const LineSampler sampler(problem.Mesh(), profile.line);
-      sampler.Write(directory + "/lines", stepper.Time(),
-                    {{{"p"}, &stepper.Pressure()},
-                     {{"ux", "uy", "uz"}, &stepper.Displacement()},
-                     {{"sxx", "syy", "szz", "sxy", "syz", "sxz"},
-                      &fields.Stress().Total()},
-                     {{"esxx", "esyy", "eszz", "esxy", "esyz", "esxz"},
-                      &fields.Stress().Effective()}});
-   }
-
-   std::string directory;
-   BiphasicProblem &problem;
-   TimeStepper &stepper;
-   History history;
-   FieldOutput fields;
-   std::vector<Profile> profiles;
-   int fields_every;
-};
-
 /// Prints the force where the exact one is known; gives the relative error,
 /// or 0 at other times.
-real_t CompareForce(BiphasicProblem &problem, const TimeStepper &stepper)
+real_t CompareForce(Simulation &simulation)
 {
    for (const ExactForce &exact : exact_forces)
    {
-      if (!IsNow(exact.time, stepper))
+      if (!simulation.IsNow(exact.time))
       {
          continue;
       }
-      const ContactPair &pair = *problem.Operator().Pairs().front();
+      const ContactPair &pair =
+         *simulation.Problem().Operator().Pairs().front();
       const real_t force = 4.0 * pair.Diagnose().source_force[2];
       const real_t error = force / exact.force - 1.0;
       if (Mpi::Root())
@@ -335,59 +284,14 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
-   StopWatch watch;
-   watch.Start();
-
-   const Materials materials(options);
-   TimeOptions times;
-   times.step = options.step;
-   times.end = options.end;
-   times.scheme = ParseScheme(options.scheme);
-
-   NamedMesh mesh = ReadGmsh(options.mesh, MPI_COMM_WORLD);
-   SpaceOptions space;
-   space.order = options.order;
-   BiphasicProblem problem(mesh, space);
-   Describe(options, materials, problem);
-   TimeStepper stepper(problem, times);
-   MakeOutputDirectory(options.output, MPI_COMM_WORLD);
-   Results results(options, problem, stepper);
-   const HYPRE_BigInt dofs = problem.Spaces().Displacement().GlobalTrueVSize() +
-                             problem.Spaces().Pressure().GlobalTrueVSize();
-   if (Mpi::Root())
-   {
-      std::cout << "indentation: order " << options.order << ", " << dofs
-                << " dofs, set up in " << std::setprecision(3)
-                << watch.RealTime() << " s" << std::endl;
-   }
-
-   Progress progress(MPI_COMM_WORLD);
+   Simulation simulation(MakeCase(options), MPI_COMM_WORLD);
    real_t worst = 0.0;
-   real_t output_seconds = 0.0;
-   while (!stepper.Done())
+   while (!simulation.Done())
    {
-      const StepReport report = stepper.Step();
-      if (!report.converged)
-      {
-         throw Error("the step from t = " + std::to_string(report.time) +
-                     " with dt = " + std::to_string(report.dt) +
-                     " failed: " + report.reason);
-      }
-      const real_t before_output = watch.RealTime();
-      results.Add(report);
-      output_seconds += watch.RealTime() - before_output;
-      progress.Report(report, stepper);
-      worst = std::max(worst, std::abs(CompareForce(problem, stepper)));
+      simulation.Step();
+      worst = std::max(worst, std::abs(CompareForce(simulation)));
    }
-   const PhaseTimes &phases = problem.Operator().Times();
-   if (Mpi::Root())
-   {
-      std::cout << std::fixed << std::setprecision(1) << "total "
-                << watch.RealTime() << " s: linear systems " << phases.linear
-                << " s, contact search " << phases.search << " s, assembly "
-                << phases.assembly << " s, output " << output_seconds << " s"
-                << std::endl;
-   }
+   simulation.Finish();
    return options.check > 0.0 && worst > options.check ? 3 : 0;
 }
 

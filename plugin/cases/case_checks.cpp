@@ -23,7 +23,8 @@ std::string Path(const std::string &list, size_t i, const std::string &key = "")
    return list + "." + std::to_string(i) + (key.empty() ? "" : "." + key);
 }
 
-/// Complains about the second of two entries with the same name.
+/// Complains about the second of two entries with the same name, once for each
+/// path.
 class Once
 {
 public:
@@ -33,7 +34,7 @@ public:
               const std::string &problem)
    {
       const auto [first, fresh] = paths.emplace(name, path);
-      if (!fresh)
+      if (!fresh && !reading.Complained(path))
       {
          reading.Complain(path, problem + " (" +
                                    WhereIs(reading.Places(), first->second) +
@@ -280,7 +281,7 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
       if (contact.options.quadrature_order == 3)
       {
          reading.Complain(path + ".quadrature_order",
-                          "is 3, which has negative weights; take 4");
+                          "found 3, which has negative weights; take 4");
       }
    }
 }
@@ -297,14 +298,14 @@ void CheckTimes(const CaseFile &setup, CaseReading &reading)
    }
    if (time.min_step > time.step)
    {
-      reading.Complain("time.min_step", "is " + ToText(time.min_step) +
+      reading.Complain("time.min_step", "found " + ToText(time.min_step) +
                                            "; it must not be above the time "
                                            "step, " +
                                            ToText(time.step));
    }
    if (time.max_step > 0.0 && time.max_step < time.step)
    {
-      reading.Complain("time.max_step", "is " + ToText(time.max_step) +
+      reading.Complain("time.max_step", "found " + ToText(time.max_step) +
                                            "; it must be at least the time "
                                            "step, " +
                                            ToText(time.step));
@@ -346,7 +347,7 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
          if (!(line.times[k] > 0.0))
          {
             reading.Complain(Path(path + ".times", k),
-                             "is " + ToText(line.times[k]) +
+                             "found " + ToText(line.times[k]) +
                                 "; it must be positive");
          }
       }

@@ -252,10 +252,14 @@ std::vector<std::string> KeyTable::Names() const
    return names;
 }
 
+std::string KeyTable::ModelKey() const
+{
+   return Find("model") ? "model" : "type";
+}
+
 std::string KeyTable::Model() const
 {
-   const CaseKey *model = Find("model");
-   model = model ? model : Find("type");
+   const CaseKey *model = Find(ModelKey());
    return model ? model->value->Text().value_or("") : "";
 }
 
@@ -338,6 +342,10 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
    {
       const std::string here = Joined(path, key.name);
       const bool given = from.Find(key.name) != nullptr;
+      if (!key.only_for.empty() && reading.Complained(Joined(path, ModelKey())))
+      {
+         continue; // nobody knows for what
+      }
       if (given && !Applies(key) && key.supported)
       {
          reading.Complain(here, "this goes with " + Quoted(key.only_for) +
@@ -380,9 +388,9 @@ void KeyTable::Check(const std::string &path, CaseReading &reading)
          key.value ? key.value->Number() : std::nullopt;
       if (number && !key.range.Has(*number))
       {
-         reading.Complain(here, (key.noun.empty() ? "" : key.noun + " ") +
-                                   "is " + ToText(*number) + "; it must be " +
-                                   key.range.Text());
+         reading.Complain(
+            here, (key.noun.empty() ? "found " : key.noun + " is ") +
+                     ToText(*number) + "; it must be " + key.range.Text());
       }
    }
 }

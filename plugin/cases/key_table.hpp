@@ -137,6 +137,8 @@ private:
    const CaseKey *Find(const std::string &name) const;
    std::vector<std::string> Names() const;
    bool Applies(const CaseKey &key) const;
+   /// The key whose word says which others apply, and that word as TOML.
+   std::string ModelKey() const;
    std::string Model() const;
    void ReadKey(CaseKey &key, const CaseValue &from, const std::string &path,
                 CaseReading &reading);

@@ -125,6 +125,20 @@ Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    return draining;
 }
 
+// Where the surfaces see each other.
+real_t LeastGap(const ContactPair &pair)
+{
+   real_t least = std::numeric_limits<real_t>::infinity();
+   for (int j = 0; j < pair.Gap().Size(); j++)
+   {
+      if (pair.Operators().area[j] > 0.0)
+      {
+         least = std::min(least, pair.Gap()[j]);
+      }
+   }
+   return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
+}
+
 std::string Quantity(real_t value)
 {
    std::ostringstream text;
@@ -309,25 +323,26 @@ void ProblemReport::TryPairs(const CaseFile &setup, CaseProblem &problem)
       all.Unique();
       return all;
    };
-   for (const ContactCase &contact : setup.contacts)
+   CaseReading reading(setup.places);
+   for (size_t i = 0; i < setup.contacts.size(); i++)
    {
-      ContactPair pair(contact.Name(), spaces, problem.Get().Materials(),
-                       attributes(contact.source),
-                       attributes(contact.destination), contact.options);
-      pair.Search(u);
-      pair.Evaluate(u, p);
-      real_t least = std::numeric_limits<real_t>::infinity();
-      for (int j = 0; j < pair.Gap().Size(); j++)
+      const ContactCase &contact = setup.contacts[i];
+      try
       {
-         if (pair.Operators().area[j] > 0.0)
-         {
-            least = std::min(least, pair.Gap()[j]);
-         }
+         ContactPair pair(contact.Name(), spaces, problem.Get().Materials(),
+                          attributes(contact.source),
+                          attributes(contact.destination), contact.options);
+         pair.Search(u);
+         pair.Evaluate(u, p);
+         pairs.push_back({pair.Name(), pair.SearchRadius(), pair.GapTolerance(),
+                          LeastGap(pair)});
       }
-      least = -MaxOverRanks(-least, mesh.GetComm());
-      pairs.push_back(
-         {pair.Name(), pair.SearchRadius(), pair.GapTolerance(), least});
+      catch (const Error &error) // on all ranks alike
+      {
+         reading.Complain("contact." + std::to_string(i), error.what());
+      }
    }
+   reading.ThrowIfAny();
 }
 
 void ProblemReport::Count(CaseProblem &problem)

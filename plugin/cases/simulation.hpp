@@ -39,7 +39,7 @@ public:
 
    /// One step with its output. Throws as Run() does.
    StepReport Step();
-   bool Done() { return Stepper().Done(); }
+   bool Done() const { return stepper && stepper->Done(); }
    /// Says how long it all took; Run() does it by itself.
    void Finish();
 

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -216,15 +217,17 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       {"step = 0.5", "step = -0.5", {"the time step is -0.5"}},
       {"step = 0.5", "step = 1e-20", {"time.step", "too many"}},
       {"step = 0.5", "step = 0.5\nmin_step = 1", {"time.min_step"}},
-      {"scale = 1000", "refine = -1", {"mesh.refine is -1", "from 0 to 6"}},
-      {"scale = 1000", "scale = 0", {"mesh.scale is 0", "positive"}},
+      {"scale = 1000", "refine = -1", {"mesh.refine: found -1", "from 0 to 6"}},
+      {"scale = 1000", "scale = 0", {"mesh.scale: found 0", "positive"}},
       {"penalty = 12.5", "penalty = 0", {"contact.0.penalty", "\"auto\""}},
       {"penalty = 12.5", "penalty = -1", {"contact.0.penalty"}},
       {"penalty = 12.5", "penalty = \"Auto\"", {"did you mean \"auto\"?"}},
       {"quadrature_order = 6", "quadrature_order = 3", {"negative weights"}},
-      {"max_newton = 7", "max_newton = 0", {"solver.max_newton is 0"}},
-      {"fields_every = 0", "fields_every = -1", {"output.fields_every is -1"}},
-      {"region = \"lower\"", "points = 1", {"output.line.0.points is 1"}},
+      {"max_newton = 7", "max_newton = 0", {"solver.max_newton: found 0"}},
+      {"fields_every = 0",
+       "fields_every = -1",
+       {"output.fields_every: found -1"}},
+      {"region = \"lower\"", "points = 1", {"output.line.0.points: found 1"}},
       // Curves
       {"times = [0, 10], values = [0, -0.1]",
        "times = [0, 10], values = [0]",
@@ -300,7 +303,7 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       const std::string said = Complaint(Replaced(good, fault.from, fault.to));
       CAPTURE(fault.to, said);
       REQUIRE_FALSE(said.empty());
-      CHECK(said.find('\n') == std::string::npos);
+      CHECK(std::count(said.begin(), said.end(), '\n') <= 1);
       for (const std::string &text : fault.texts)
       {
          CHECK_THAT(said, Contains(text));
