@@ -221,9 +221,17 @@ KeyTable ContactKeys(ContactCase &contact)
        {"reference", SearchConfiguration::reference}},
       "where the surfaces look for each other: as deformed, in every step, or "
       "as meshed, once");
+   keys.Word<ContactNormal>(
+      "normal", options.normal,
+      {{"destination", ContactNormal::destination},
+       {"mean", ContactNormal::mean}},
+      "the direction of gap and traction: the destination's normal, or the "
+      "mean of both surfaces'");
    keys
-      .Value("quadrature_order", options.quadrature_order, "",
-             "exactness of the destination's quadrature; not 3")
+      .Value(
+         "quadrature_order", options.quadrature_order, "",
+         "exactness of the quadrature on the part of a face that one face of "
+         "the source covers; not 3")
       .From(1, 25);
    return keys;
 }

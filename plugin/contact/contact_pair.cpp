@@ -125,6 +125,19 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
    Accept();
 }
 
+void ContactPair::SetTimeStep(real_t dt)
+{
+   // Steps that end on a corner differ by round-off.
+   if (std::abs(dt - time_step) > 1e-6 * dt)
+   {
+      time_step = dt;
+      if (searched)
+      {
+         SetPenalties();
+      }
+   }
+}
+
 bool ContactPair::Search(const Vector &u)
 {
    if (options.configuration == SearchConfiguration::current)
@@ -170,6 +183,7 @@ void ContactPair::VerifyReach() const
 
 void ContactPair::SetPenalties()
 {
+   MFEM_VERIFY(time_step > 0.0, "SetTimeStep() comes before Search()");
    for (int j = 0; j < penalty.Size(); j++)
    {
       const real_t h = operators.face_size[j];
@@ -184,7 +198,9 @@ void ContactPair::SetPenalties()
       }
       if (area > 0.0 && options.pressure_penalty == 0.0)
       {
-         pressure_penalty[j] = options.penalty_factor * least_permeability / h;
+         pressure_penalty[j] =
+            options.penalty_factor *
+            (least_permeability / h + h / (softest_modulus * time_step));
       }
    }
 }

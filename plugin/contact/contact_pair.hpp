@@ -27,8 +27,9 @@ struct ContactOptions
    /// side, h being the size of the destination's faces around a vertex; more
    /// where the source covers only a part of what belongs to the vertex.
    mfem::real_t penalty = 0.0;
-   /// eta_p (flux / stress). Derived: penalty_factor x kappa / h of the less
-   /// permeable side.
+   /// eta_p (flux / stress). Derived: penalty_factor x (kappa / h + h / (H_A
+   /// dt)), of the less permeable and of the softer side: what an element
+   /// resists by flow and, in a short step, by its volume.
    mfem::real_t pressure_penalty = 0.0;
    /// Results must not depend on it, iteration counts may.
    mfem::real_t penalty_factor = 100.0;
@@ -74,6 +75,9 @@ public:
       return destination_boundary;
    }
    const ContactSurface &Destination() const { return destination; }
+
+   /// Prepares for steps of length @a dt (time).
+   void SetTimeStep(mfem::real_t dt);
 
    /// Moves the surfaces to displacement @a u (true dofs), searches, and
    /// assembles the gap operators, unless they hold for good; says whether it
@@ -179,6 +183,7 @@ private:
    mfem::Vector destination_areas;
    GapOperators operators;
    bool searched = false;
+   mfem::real_t time_step = 0.0;
    bool reached = false;
 
    mfem::Vector penalty;

@@ -362,6 +362,10 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    conditions.SetPressure(stage.time, stage.p);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
    jacobian->SetTimeStep(stage.dt);
+   for (ContactPair *pair : pairs)
+   {
+      pair->SetTimeStep(stage.dt);
+   }
 
    Search(stage);
    for (ContactPair *pair : pairs)

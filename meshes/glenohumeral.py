@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Mesh of an idealised glenohumeral joint: two layers of cartilage on bone.
+
+Guo and Spilker 2014, section 3.2. In millimetres, the axis is z, the layers
+touch at (0, 0, t); a quarter, x >= 0 and y >= 0, unless --full:
+
+      .  humeral_bone      .        regions    glenoid, humeral
+       ` .             . '          surfaces   glenoid_bone, glenoid_contact,
+     `     ` - ... - '     '                   glenoid_rim,
+       ` .             . ' humeral_rim         humeral_bone, humeral_contact,
+          ` - ... - '                          humeral_rim,
+      \\_             _/  humeral_contact       symmetry_x  x = 0
+   |\\__ ` ------- ' __/|  glenoid_contact      symmetry_y  y = 0
+   \\__ `---------' __/   glenoid_rim
+      ` --------- '      glenoid_bone
+
+Glenoid: its contact side is part of a sphere of radius 26, its bone side of one
+of 34.5, it is 1.5 thick on the axis and has a rim of radius 11.5, where it is
+2.2 thick. Humeral head: both sides are parts of spheres of radius 23.5 with
+their centres 1.5 apart along the axis, rim radius 19.1, so that it thins to 0.9.
+
+All elements are tetrahedra of second order with their nodes on the spheres: the
+facets of straight ones would overlap by h^2/(8 R), more than the first gaps.
+
+Sample runs:
+  python3 meshes/glenohumeral.py -o glenohumeral.msh             # 18,600 tets
+  python3 meshes/glenohumeral.py -o coarse.msh --size 1.6
+  python3 meshes/glenohumeral.py -o full.msh --full --size 2
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import sys
+
+try:
+    import gmsh
+except ImportError:
+    sys.exit("glenohumeral.py: error: the gmsh module is missing: install "
+             "python3-gmsh (Debian) or 'pip install gmsh'")
+
+import curved_layer
+import gmsh_bodies
+import mesh_quality
+from gmsh_bodies import Body
+
+REGIONS = {"glenoid": 1, "humeral": 2}
+SURFACES = {"glenoid_bone": 1, "glenoid_contact": 2, "glenoid_rim": 3,
+            "humeral_bone": 4, "humeral_contact": 5, "humeral_rim": 6,
+            "symmetry_x": 7, "symmetry_y": 8}
+
+# Sizes of the mesh for --size 1 (mm), and layers. The glenoid is the
+# destination, and the finer one.
+GLENOID = 0.66
+HUMERAL = 0.85
+GLENOID_LAYERS = 5
+HUMERAL_LAYERS = 4
+# Beyond the glenoid's rim the humeral elements grow with the distance.
+GROWTH = 0.12
+
+
+def names(body: str, lower: str, upper: str) -> dict[str, str]:
+    return {"lower": f"{body}_{lower}", "upper": f"{body}_{upper}",
+            "rim": f"{body}_rim", "symmetry_x": "symmetry_x",
+            "symmetry_y": "symmetry_y"}
+
+
+def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
+    def layers(count: int) -> int:
+        return max(1, round(count / args.size))
+
+    def humeral_size(r: float) -> float:
+        beyond = max(0.0, r - args.glenoid_width)
+        return HUMERAL * args.size + GROWTH * beyond
+
+    sphere = curved_layer.sphere
+    top = args.glenoid_thickness + args.gap
+    return {
+        "glenoid": curved_layer.sweep(
+            curved_layer.disc(args.glenoid_width, args.full,
+                              lambda r: GLENOID * args.size),
+            sphere(args.glenoid_bone_radius, 0.0),
+            sphere(args.glenoid_radius, args.glenoid_thickness),
+            layers(GLENOID_LAYERS), names("glenoid", "bone", "contact")),
+        "humeral": curved_layer.sweep(
+            curved_layer.disc(args.humeral_width, args.full, humeral_size),
+            sphere(args.humeral_radius, top),
+            sphere(args.humeral_radius, top + args.humeral_thickness),
+            layers(HUMERAL_LAYERS), names("humeral", "contact", "bone"))}
+
+
+def parse(argv: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+
+    def length(text: str) -> float:
+        value = float(text)
+        if not (math.isfinite(value) and value > 0):
+            raise argparse.ArgumentTypeError(f"{text} is not positive")
+        return value
+
+    parser.add_argument("-o", "--output", default="glenohumeral.msh")
+    parser.add_argument("--size", type=length, default=1.0,
+                        help="factor on all element sizes")
+    parser.add_argument("--full", action="store_true",
+                        help="the whole joint instead of a quarter")
+    for name, default, text in (
+            ("--glenoid-radius", 26.0, "of the contact side"),
+            ("--glenoid-bone-radius", 34.5, "of the bone side"),
+            ("--glenoid-thickness", 1.5, "on the axis"),
+            ("--glenoid-width", 11.5, "radius of the rim"),
+            ("--humeral-radius", 23.5, "of both sides"),
+            ("--humeral-thickness", 1.5, "on the axis"),
+            ("--humeral-width", 19.1, "radius of the rim")):
+        parser.add_argument(name, type=length, default=default,
+                            help=f"{text} (mm, default {default})")
+    parser.add_argument("--gap", type=float, default=0.0,
+                        help="between the layers on the axis (mm)")
+    parser.add_argument("--verbose", action="store_true")
+    args = parser.parse_args(argv)
+    for width, radius in (("glenoid_width", "glenoid_radius"),
+                          ("glenoid_width", "glenoid_bone_radius"),
+                          ("humeral_width", "humeral_radius")):
+        if getattr(args, width) >= 0.98 * getattr(args, radius):
+            parser.error(f"--{width} must be less than 0.98 of --{radius}"
+                         .replace("_", "-"))
+    folder = os.path.dirname(os.path.abspath(args.output))
+    if not os.path.isdir(folder):
+        parser.error(f"there is no directory {folder}")
+    return args
+
+
+def main(argv: list[str] | None = None) -> int:
+    args = parse(argv)
+    gmsh.initialize([""])
+    try:
+        gmsh.option.setNumber("General.Terminal", int(args.verbose))
+        gmsh.option.setNumber("General.NumThreads", 1)
+        surfaces = {name: tag for name, tag in SURFACES.items()
+                    if not args.full or not name.startswith("symmetry")}
+        gmsh_bodies.assemble("glenohumeral", make_bodies(args), REGIONS,
+                             surfaces)
+        worst = 1.0
+        for region, tag in REGIONS.items():
+            quality = mesh_quality.measure([tag])
+            worst = min(worst, quality.min_scaled_jacobian,
+                        quality.min_jacobian_ratio)
+            print(f"{region}: {quality}")
+        if worst <= 0:
+            print("glenohumeral.py: error: the mesh has a tangled element; "
+                  "choose a smaller --size, or other dimensions",
+                  file=sys.stderr)
+            return 1
+        gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)
+        gmsh.option.setNumber("Mesh.Binary", 1)
+        gmsh.write(args.output)
+    except Exception as error:   # gmsh raises bare Exception
+        print(f"glenohumeral.py: error: {error}", file=sys.stderr)
+        return 1
+    finally:
+        gmsh.finalize()
+    print(f"wrote {args.output}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
