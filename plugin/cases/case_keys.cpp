@@ -326,9 +326,8 @@ KeyTable OutputKeys(OutputCase &output)
       .AtLeast(0);
    keys
       .Value("checkpoint_every", output.checkpoint_every, "",
-             "steps between checkpoints; 0: none")
-      .AtLeast(0)
-      .NotYet();
+             "steps between checkpoints; 0: none but upon Ctrl-C")
+      .AtLeast(0);
    keys.List<LineCase>("line", output.lines, LineKeys, "");
    return keys;
 }
