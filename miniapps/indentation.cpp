@@ -290,6 +290,11 @@ int Run(int argc, char *argv[])
    {
       simulation.Step();
       worst = std::max(worst, std::abs(CompareForce(simulation)));
+      const int status = simulation.StopIfAsked();
+      if (status != 0)
+      {
+         return status;
+      }
    }
    simulation.Finish();
    return options.check > 0.0 && worst > options.check ? 3 : 0;

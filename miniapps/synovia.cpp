@@ -8,14 +8,16 @@
 // and how to run them.
 //
 // Writes to the output directory: history.csv, history.h5 (a row for each
-// step), lines/ (profiles), fields/ (ParaView), run.log, and case.toml, the
-// case as it ran.
+// step), lines/ (profiles), fields/ (ParaView), checkpoint/, run.log, and
+// case.toml, the case as it ran. Ctrl-C lets the step end and writes a
+// checkpoint; --resume goes on from it, on any number of ranks.
 //
 // Sample runs:
-//   python3 meshes/boxes.py confined_compression -o confined_compression.msh
-//   mpirun -np 2 synovia miniapps/cases/confined_compression.toml
-//   synovia miniapps/cases/confined_compression.toml --check
-//   synovia miniapps/cases/confined_compression.toml --set time.step=50
+//   cd miniapps/cases && python3 ../../meshes/boxes.py confined_compression
+//   mpirun -np 2 synovia confined_compression.toml
+//   synovia confined_compression.toml --check
+//   synovia confined_compression.toml --set time.step=50 --output out/coarse
+//   synovia confined_compression.toml --resume
 
 #include "synovia.hpp"
 
@@ -38,18 +40,25 @@ constexpr const char *usage =
                         go by number from 0 or by name: contact.0.penalty=10.
                         Can be given several times
   --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'
+  --resume              go on from the newest checkpoint in the output directory
+                        that is good; begin at the start if there is none
+  --restart FILE        go on from this checkpoint; what the output directory has
+                        of later times is replaced
   --dry-schema          list all keys of a case with types, defaults and units
   --help                print this
   --version             print the versions of synovia and what it uses
 )";
 
 const std::vector<std::string> option_names = {
-   "--check", "--set", "--output", "--dry-schema", "--help", "--version"};
+   "--check",   "--set",        "--output", "--resume",
+   "--restart", "--dry-schema", "--help",   "--version"};
 
 struct Options
 {
    std::string file;
    std::vector<std::string> overrides;
+   std::string restart;
+   bool resume = false;
    bool check = false;
    bool schema = false;
    bool help = false;
@@ -133,10 +142,19 @@ Options Parse(int argc, char *argv[])
                                      Quoted(arguments.Value(word)));
          continue;
       }
+      if (word == "--restart")
+      {
+         options.restart = arguments.Value(word);
+         continue;
+      }
       arguments.NoValue(word);
       if (word == "--check")
       {
          options.check = true;
+      }
+      else if (word == "--resume")
+      {
+         options.resume = true;
       }
       else if (word == "--dry-schema")
       {
@@ -208,6 +226,10 @@ int Run(int argc, char *argv[])
    {
       Fail("no case file is given");
    }
+   if (options.resume && !options.restart.empty())
+   {
+      Fail("--resume and --restart exclude each other");
+   }
    Simulation simulation(
       ReadCase(options.file, MPI_COMM_WORLD, options.overrides),
       MPI_COMM_WORLD);
@@ -216,8 +238,15 @@ int Run(int argc, char *argv[])
       simulation.Describe(std::cout);
       return 0;
    }
-   simulation.Run();
-   return 0;
+   if (options.resume)
+   {
+      simulation.Resume();
+   }
+   else if (!options.restart.empty())
+   {
+      simulation.Restart(options.restart);
+   }
+   return simulation.Run();
 }
 
 } // namespace

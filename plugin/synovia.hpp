@@ -4,6 +4,8 @@
 #include "cases/simulation.hpp"
 #include "general/error.hpp"
 #include "general/load_curve.hpp"
+#include "general/stop_request.hpp"
+#include "io/checkpoint.hpp"
 #include "io/field_output.hpp"
 #include "io/history.hpp"
 #include "io/line_sampler.hpp"

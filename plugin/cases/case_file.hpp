@@ -136,6 +136,7 @@ struct OutputCase
    std::string directory = "out";
    /// Steps from one to the next; 0: never, and no fields of the end either.
    int fields_every = 1;
+   /// Likewise; one is written upon SIGINT and SIGTERM in any case.
    int checkpoint_every = 10;
    std::vector<LineCase> lines;
 };

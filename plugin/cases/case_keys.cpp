@@ -10,7 +10,7 @@ namespace
 // More would not be a mesh or a space that fits into any memory.
 constexpr int most_refinements = 6;
 constexpr int highest_order = 8;
-constexpr int most_points = 1000000;
+constexpr int most_points = 100000;
 
 const char *const length = "length";
 const char *const stress = "stress";
@@ -334,9 +334,8 @@ KeyTable OutputKeys(OutputCase &output)
       .AtLeast(0);
    keys
       .Value("checkpoint_every", output.checkpoint_every, "",
-             "steps between checkpoints; 0: none")
-      .AtLeast(0)
-      .NotYet();
+             "steps between checkpoints; 0: none but upon Ctrl-C")
+      .AtLeast(0);
    keys.List<LineCase>("line", output.lines, LineKeys, "");
    return keys;
 }

@@ -451,7 +451,8 @@ void KeyTable::Write(std::ostream &out, const std::string &path)
    }
 }
 
-void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
+void KeyTable::Collect(const std::string &path, bool supported,
+                       std::vector<Line> &lines)
 {
    for (CaseKey &key : keys)
    {
@@ -466,7 +467,8 @@ void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
       {
          notes += "; for " + Quoted(key.only_for);
       }
-      if (!key.supported)
+      const bool here_supported = supported && key.supported;
+      if (!here_supported)
       {
          notes += "; not supported yet";
       }
@@ -479,12 +481,13 @@ void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
       }
       if (key.table)
       {
-         key.table->Collect(here, lines);
+         key.table->Collect(here, here_supported, lines);
       }
       if (key.list)
       {
-         key.list->sample([&](KeyTable &sample)
-                          { sample.Collect(here + ".N", lines); });
+         key.list->sample(
+            [&](KeyTable &sample)
+            { sample.Collect(here + ".N", here_supported, lines); });
       }
    }
 }
@@ -492,7 +495,7 @@ void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
 void KeyTable::List(std::ostream &out)
 {
    std::vector<Line> lines{{"key", "type", "default", "unit", "meaning"}};
-   Collect("", lines);
+   Collect("", true, lines);
    std::string Line::*const columns[] = {&Line::key, &Line::type,
                                          &Line::standard, &Line::unit};
    for (const auto column : columns)

@@ -145,7 +145,8 @@ private:
    void ReadList(CaseKey &key, const CaseValue &from, const std::string &path,
                  CaseReading &reading);
    TomlText Inline();
-   void Collect(const std::string &path, std::vector<Line> &lines);
+   void Collect(const std::string &path, bool supported,
+                std::vector<Line> &lines);
 
    std::vector<CaseKey> keys;
 };

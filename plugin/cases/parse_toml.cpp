@@ -1,10 +1,41 @@
 #include "cases/case_value.hpp"
 #include "general/error.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <memory>
+#include <stdexcept>
+
+namespace synovia
+{
+
+namespace
+{
+/// What toml++ takes for impossible, which some damaged files get it to.
+class TomlAssertion : public std::logic_error
+{
+public:
+   using std::logic_error::logic_error;
+};
+} // namespace
+
+[[noreturn]] static void FailTomlAssertion()
+{
+   throw TomlAssertion("toml++ lost its way");
+}
+
+} // namespace synovia
+
+// In a release build toml++ would have the compiler build on its assertions,
+// true or not.
+#undef NDEBUG
+#define TOML_ASSERT(expr)                                                      \
+   do                                                                          \
+   {                                                                           \
+      if (!(expr))                                                             \
+      {                                                                        \
+         synovia::FailTomlAssertion();                                         \
+      }                                                                        \
+   } while (false)
+#include <toml++/toml.h>
 
 namespace synovia
 {
@@ -82,6 +113,10 @@ CaseValue ParseToml(const std::string &text, const std::string &source)
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       throw Error(ToText(PlaceOf(error.source(), source)) +
                   ": this is not TOML: " + reason);
+   }
+   catch (const TomlAssertion &)
+   {
+      throw Error(source + ": this is not TOML");
    }
 }
 

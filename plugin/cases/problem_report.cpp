@@ -125,20 +125,6 @@ Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    return draining;
 }
 
-// Where the surfaces see each other.
-real_t LeastGap(const ContactPair &pair)
-{
-   real_t least = std::numeric_limits<real_t>::infinity();
-   for (int j = 0; j < pair.Gap().Size(); j++)
-   {
-      if (pair.Operators().area[j] > 0.0)
-      {
-         least = std::min(least, pair.Gap()[j]);
-      }
-   }
-   return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
-}
-
 std::string Quantity(real_t value)
 {
    std::ostringstream text;
@@ -179,7 +165,7 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    MeasureRegions(setup, problem);
    VerifyStiffness();
    MeasureSurfaces(problem.Get().Mesh());
-   TryPairs(setup, problem);
+   pairs = CheckContact(setup, problem);
    Count(problem);
    WarnOfTimes(setup);
    WarnOfBodies(setup, problem);
@@ -302,47 +288,6 @@ void ProblemReport::MeasureSurfaces(const NamedMesh &named)
       }
       surfaces.push_back(surface);
    }
-}
-
-void ProblemReport::TryPairs(const CaseFile &setup, CaseProblem &problem)
-{
-   NamedMesh &mesh = problem.Get().Mesh();
-   BiphasicSpaces &spaces = problem.Get().Spaces();
-   Vector u(spaces.Displacement().GetTrueVSize());
-   Vector p(spaces.Pressure().GetTrueVSize());
-   u = 0.0;
-   p = 0.0;
-   const auto attributes = [&](const std::vector<std::string> &names)
-   {
-      Array<int> all;
-      for (const std::string &name : names)
-      {
-         all.Append(mesh.Boundary(name));
-      }
-      all.Sort();
-      all.Unique();
-      return all;
-   };
-   CaseReading reading(setup.places);
-   for (size_t i = 0; i < setup.contacts.size(); i++)
-   {
-      const ContactCase &contact = setup.contacts[i];
-      try
-      {
-         ContactPair pair(contact.Name(), spaces, problem.Get().Materials(),
-                          attributes(contact.source),
-                          attributes(contact.destination), contact.options);
-         pair.Search(u);
-         pair.Evaluate(u, p);
-         pairs.push_back({pair.Name(), pair.SearchRadius(), pair.GapTolerance(),
-                          LeastGap(pair)});
-      }
-      catch (const Error &error) // on all ranks alike
-      {
-         reading.Complain("contact." + std::to_string(i), error.what());
-      }
-   }
-   reading.ThrowIfAny();
 }
 
 void ProblemReport::Count(CaseProblem &problem)
@@ -489,7 +434,7 @@ void ProblemReport::Write(std::ostream &out) const
    {
       out << "\ncontact pairs\n";
       rows = {{"", "least gap", "gap tolerance", "search radius"}};
-      for (const Pair &pair : pairs)
+      for (const PairAtStart &pair : pairs)
       {
          rows.push_back({pair.name, Quantity(pair.least_gap),
                          Quantity(pair.gap_tolerance),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/case_problem.hpp"
+#include "cases/contact_check.hpp"
 
 #include <iosfwd>
 #include <limits>
@@ -57,7 +58,6 @@ public:
 private:
    void MeasureRegions(const CaseFile &setup, CaseProblem &problem);
    void MeasureSurfaces(const NamedMesh &mesh);
-   void TryPairs(const CaseFile &setup, CaseProblem &problem);
    void Count(CaseProblem &problem);
    void WarnOfTimes(const CaseFile &setup);
    void WarnOfBodies(const CaseFile &setup, CaseProblem &problem);
@@ -68,14 +68,7 @@ private:
    int order = 2;
    std::vector<Region> regions;
    std::vector<Surface> surfaces;
-   struct Pair
-   {
-      std::string name;
-      mfem::real_t search_radius;
-      mfem::real_t gap_tolerance;
-      mfem::real_t least_gap;
-   };
-   std::vector<Pair> pairs;
+   std::vector<PairAtStart> pairs;
    long long displacements = 0;
    long long pressures = 0;
    mfem::real_t gigabytes = 0.0;

@@ -1,18 +1,22 @@
 #include "cases/simulation.hpp"
+#include "cases/contact_check.hpp"
 #include "cases/line_output.hpp"
 #include "cases/problem_report.hpp"
 #include "general/error.hpp"
 #include "general/text.hpp"
 #include "general/version.hpp"
+#include "io/checkpoint.hpp"
 #include "io/output_directory.hpp"
 #include "io/step_diagnostics.hpp"
 
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace synovia
@@ -48,6 +52,18 @@ bool IsRoot(MPI_Comm comm)
    int rank = 0;
    MPI_Comm_rank(comm, &rank);
    return rank == 0;
+}
+
+// Whether there is one to go on with.
+bool HasHistory(const std::string &directory, MPI_Comm comm)
+{
+   int there = 0;
+   if (IsRoot(comm))
+   {
+      there = std::filesystem::exists(directory + "/history.csv");
+   }
+   MPI_Bcast(&there, 1, MPI_INT, 0, comm);
+   return there != 0;
 }
 
 std::string VersionsText()
@@ -136,6 +152,20 @@ void Simulation::WriteSetup() const
    ThrowIfAny(comm, message);
 }
 
+std::string Simulation::CheckpointDirectory() const
+{
+   return setup.output.directory + "/checkpoint";
+}
+
+void Simulation::Say(const std::string &text)
+{
+   log->Add(text);
+   if (IsRoot(comm))
+   {
+      std::cout << text << std::endl;
+   }
+}
+
 void Simulation::Start()
 {
    if (log)
@@ -143,19 +173,68 @@ void Simulation::Start()
       return;
    }
    // What may go wrong with files does so before the long work.
+   MakeOutputDirectory(setup.output.directory, comm);
+   const std::vector<PairAtStart> pairs = CheckContact(setup, problem);
+   lines = std::make_unique<LineOutput>(setup, problem.Get());
+   StartOutput(false);
+   for (const PairAtStart &pair : pairs)
+   {
+      log->Add("contact pair \"" + pair.name + "\": least gap at the start " +
+               ToText(pair.least_gap));
+   }
+   DiscardCheckpoints(CheckpointDirectory(), comm);
+}
+
+void Simulation::Restart(const std::string &file)
+{
+   MFEM_VERIFY(!log, "a run can't be restarted once it has begun");
+   lines = std::make_unique<LineOutput>(setup, problem.Get());
+   ReadCheckpoint(file, problem.Get(), Stepper());
+   StartOutput(true);
+   Say("goes on from t = " + ToText(stepper->Time()) + ", " + file);
+}
+
+void Simulation::Resume()
+{
+   const FoundCheckpoint found = FindCheckpoint(CheckpointDirectory(), comm);
+   if (found.file.empty())
+   {
+      Start();
+   }
+   else
+   {
+      Restart(found.file);
+   }
+   for (const std::string &reason : found.passed_over)
+   {
+      Say("warning: " + reason);
+   }
+   if (found.file.empty())
+   {
+      Say("there is no checkpoint in '" + CheckpointDirectory() +
+          "': begins at the start");
+   }
+}
+
+void Simulation::StartOutput(bool goes_on)
+{
    const std::string &directory = setup.output.directory;
    MakeOutputDirectory(directory, comm);
-   lines = std::make_unique<LineOutput>(setup, problem.Get());
-   log = std::make_unique<RunLog>(directory, comm, false);
+   log = std::make_unique<RunLog>(directory, comm, goes_on);
    WriteSetup();
-   history = std::make_unique<History>(directory, comm);
    Stepper();
+   // A run that goes on in another directory starts a history there.
+   const bool has_history = goes_on && HasHistory(directory, comm);
+   history = std::make_unique<History>(
+      directory, comm,
+      has_history ? std::optional<real_t>(stepper->Time()) : std::nullopt);
    if (setup.output.fields_every > 0)
    {
-      fields =
-         std::make_unique<FieldOutput>(directory, problem.Get(), *stepper);
+      fields = std::make_unique<FieldOutput>(directory, problem.Get(), *stepper,
+                                             goes_on);
    }
    progress = std::make_unique<Progress>(comm);
+   stop = std::make_unique<StopRequest>();
 
    BiphasicSpaces &spaces = problem.Get().Spaces();
    int ranks = 1;
@@ -167,12 +246,64 @@ void Simulation::Start()
         << " dofs on " << ranks << (ranks == 1 ? " rank" : " ranks")
         << ", set up in " << std::setprecision(3) << watch.RealTime() << " s";
    log->Add(VersionsText());
-   log->Add(text.str());
-   if (IsRoot(comm))
+   if (!setup.title.empty())
    {
-      std::cout << (setup.title.empty() ? "" : setup.title + "\n") << text.str()
-                << std::endl;
+      Say(setup.title);
    }
+   Say(text.str());
+}
+
+std::string Simulation::WriteCheckpoint()
+{
+   try
+   {
+      return synovia::WriteCheckpoint(CheckpointDirectory(), problem.Get(),
+                                      *stepper);
+   }
+   catch (const Error &error) // on all ranks alike
+   {
+      // Those of before are still there, and the disk may get room again.
+      const std::string warning = std::string("warning: ") + error.what();
+      log->TryToAdd(warning);
+      if (IsRoot(comm))
+      {
+         std::cerr << warning << std::endl;
+      }
+      return "";
+   }
+}
+
+void Simulation::Fail(const StepReport &report)
+{
+   std::string text = "the step from t = " + ToText(report.time) +
+                      " with dt = " + ToText(report.dt) +
+                      " failed: " + report.reason;
+   if (setup.output.checkpoint_every > 0 && stepper->Steps() > 0)
+   {
+      const std::string file = WriteCheckpoint();
+      if (!file.empty())
+      {
+         text += "; what came before is in '" + file + "'";
+      }
+   }
+   log->TryToAdd("error: " + text);
+   throw Error(text);
+}
+
+int Simulation::StopIfAsked()
+{
+   if (Done() || !stop || !stop->Pending(comm))
+   {
+      return 0;
+   }
+   const std::string file = WriteCheckpoint();
+   const std::string at = "stopped at t = " + ToText(stepper->Time());
+   Say(file.empty() ? at + ", without a checkpoint"
+                    : at + "; go on with: synovia " + setup.output.directory +
+                         "/case.toml --resume");
+   int signal = stop->Signal();
+   MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, comm);
+   return 128 + signal;
 }
 
 StepReport Simulation::Step()
@@ -181,11 +312,7 @@ StepReport Simulation::Step()
    const StepReport report = stepper->Step();
    if (!report.converged)
    {
-      const std::string problem_text =
-         "the step from t = " + ToText(report.time) +
-         " with dt = " + ToText(report.dt) + " failed: " + report.reason;
-      log->TryToAdd("error: " + problem_text);
-      throw Error(problem_text);
+      Fail(report);
    }
    const double before = watch.RealTime();
    Record(report);
@@ -218,16 +345,27 @@ void Simulation::Record(const StepReport &report)
    }
    lines->Write(due, *stepper);
    log->Add(StepText(stepper->Steps(), report));
+   const int between = setup.output.checkpoint_every;
+   if (between > 0 && (stepper->Steps() % between == 0 || stepper->Done()))
+   {
+      WriteCheckpoint();
+   }
 }
 
-void Simulation::Run()
+int Simulation::Run()
 {
    Start();
    while (!Done())
    {
       Step();
+      const int status = StopIfAsked();
+      if (status != 0)
+      {
+         return status;
+      }
    }
    Finish();
+   return 0;
 }
 
 void Simulation::Finish()
@@ -238,11 +376,7 @@ void Simulation::Finish()
         << " s: linear systems " << phases.linear << " s, contact search "
         << phases.search << " s, assembly " << phases.assembly << " s, output "
         << output_seconds << " s";
-   log->Add(text.str());
-   if (IsRoot(comm))
-   {
-      std::cout << text.str() << std::endl;
-   }
+   Say(text.str());
 }
 
 } // namespace synovia

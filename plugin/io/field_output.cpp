@@ -38,12 +38,13 @@ class FieldOutput::Surface
 {
 public:
    Surface(const std::string &directory, const ContactPair &pair_,
-           ParMesh &mesh, BiphasicSpaces &spaces)
+           ParMesh &mesh, BiphasicSpaces &spaces, bool append)
       : pair(pair_), surface(ParSubMesh::CreateFromBoundary(
                         mesh, pair.DestinationBoundary())),
         elements(1, 2), space(&surface, &elements),
         parent(&spaces.Multiplier()), pressure(&space), gap(&space),
-        status(&space), output(directory, "contact_" + pair.Name(), surface, 1)
+        status(&space),
+        output(directory, "contact_" + pair.Name(), surface, 1, append)
    {
       output.Register("contact_pressure", pressure);
       output.Register("gap", gap);
@@ -78,13 +79,14 @@ private:
 };
 
 FieldOutput::FieldOutput(const std::string &directory,
-                         BiphasicProblem &problem_, TimeStepper &stepper_)
+                         BiphasicProblem &problem_, TimeStepper &stepper_,
+                         bool append)
    : problem(problem_), stepper(stepper_),
      stress(problem.Spaces().Displacement(), problem.Materials()),
      flux_space(&problem.Mesh().Get(), problem.Spaces().Pressure().FEColl(), 3),
      velocity(&problem.Spaces().Displacement()), flux(&flux_space),
      bodies(directory + "/fields", "bodies", problem.Mesh().Get(),
-            std::max(1, problem.Spaces().Order()))
+            std::max(1, problem.Spaces().Order()), append)
 {
    bodies.Register("displacement", stepper.Displacement());
    bodies.Register("velocity", velocity);
@@ -95,8 +97,9 @@ FieldOutput::FieldOutput(const std::string &directory,
    bodies.Register("principal_stress", stress.Principal());
    for (const ContactPair *pair : problem.Operator().Pairs())
    {
-      surfaces.push_back(std::make_unique<Surface>(
-         directory + "/fields", *pair, problem.Mesh().Get(), problem.Spaces()));
+      surfaces.push_back(std::make_unique<Surface>(directory + "/fields", *pair,
+                                                   problem.Mesh().Get(),
+                                                   problem.Spaces(), append));
    }
 }
 
@@ -113,12 +116,12 @@ void FieldOutput::Update()
 void FieldOutput::Save()
 {
    Update();
+   const int cycle = stepper.Steps();
    bodies.Save(cycle, stepper.Time());
    for (const auto &surface : surfaces)
    {
       surface->Save(cycle, stepper.Time());
    }
-   cycle++;
 }
 
 } // namespace synovia

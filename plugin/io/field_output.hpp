@@ -20,14 +20,15 @@ class FieldOutput
 {
 public:
    /// Borrows @a problem and @a stepper. Collective. Throws Error if the
-   /// directory can't be written.
+   /// directory can't be written. @a append keeps the steps of an earlier run
+   /// that lie before the first one saved here.
    FieldOutput(const std::string &directory, BiphasicProblem &problem,
-               TimeStepper &stepper);
+               TimeStepper &stepper, bool append = false);
    ~FieldOutput();
 
    /// Brings the derived fields up to the stepper's state. Collective.
    void Update();
-   /// Updates and writes. Collective.
+   /// Updates and writes, once in a step. Collective.
    void Save();
 
    /// Nodal averages, as of the last Update().
@@ -44,7 +45,6 @@ private:
    mfem::ParGridFunction flux;
    ParaViewOutput bodies;
    std::vector<std::unique_ptr<Surface>> surfaces;
-   int cycle = 0;
 };
 
 } // namespace synovia

@@ -29,6 +29,17 @@ std::string Check(const ReadOptions &options)
    return "";
 }
 
+// Every rank holds the whole mesh before it is distributed.
+std::string CheckSize(size_t elements, int refine)
+{
+   constexpr double most_elements = 5e7;
+   const double refined = elements * std::pow(8.0, refine);
+   return refined <= most_elements
+             ? ""
+             : "refined " + std::to_string(refine) + " times it would have " +
+                  ToText(refined) + " elements; that is too many";
+}
+
 FlatMesh ReadOnRankZero(const std::string &file, MPI_Comm comm)
 {
    int rank = 0;
@@ -72,6 +83,7 @@ NamedMesh Read(const std::string &file, MPI_Comm comm,
 {
    ThrowIfAny(comm, Check(options));
    FlatMesh flat = ReadOnRankZero(file, comm);
+   ThrowIfAny(comm, CheckSize(flat.element_numbers.size(), options.refine));
    for (double &x : flat.coordinates)
    {
       x *= options.scale;

@@ -1,0 +1,77 @@
+#include "cases/contact_check.hpp"
+#include "general/error.hpp"
+#include "general/reduce.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Where the surfaces see each other.
+real_t LeastGap(const ContactPair &pair)
+{
+   real_t least = std::numeric_limits<real_t>::infinity();
+   for (int j = 0; j < pair.Gap().Size(); j++)
+   {
+      if (pair.Operators().area[j] > 0.0)
+      {
+         least = std::min(least, pair.Gap()[j]);
+      }
+   }
+   return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
+}
+
+Array<int> Attributes(const NamedMesh &mesh,
+                      const std::vector<std::string> &names)
+{
+   Array<int> all;
+   for (const std::string &name : names)
+   {
+      all.Append(mesh.Boundary(name));
+   }
+   all.Sort();
+   all.Unique();
+   return all;
+}
+} // namespace
+
+std::vector<PairAtStart> CheckContact(const CaseFile &setup,
+                                      CaseProblem &problem)
+{
+   const NamedMesh &mesh = problem.Get().Mesh();
+   BiphasicSpaces &spaces = problem.Get().Spaces();
+   Vector u(spaces.Displacement().GetTrueVSize());
+   Vector p(spaces.Pressure().GetTrueVSize());
+   u = 0.0;
+   p = 0.0;
+   std::vector<PairAtStart> pairs;
+   CaseReading reading(setup.places);
+   for (size_t i = 0; i < setup.contacts.size(); i++)
+   {
+      const ContactCase &contact = setup.contacts[i];
+      try
+      {
+         ContactPair pair(contact.Name(), spaces, problem.Get().Materials(),
+                          Attributes(mesh, contact.source),
+                          Attributes(mesh, contact.destination),
+                          contact.options);
+         pair.Search(u);
+         pair.Evaluate(u, p);
+         pairs.push_back({pair.Name(), LeastGap(pair), pair.GapTolerance(),
+                          pair.SearchRadius()});
+      }
+      catch (const Error &error) // on all ranks alike
+      {
+         reading.Complain("contact." + std::to_string(i), error.what());
+      }
+   }
+   reading.ThrowIfAny();
+   return pairs;
+}
+
+} // namespace synovia

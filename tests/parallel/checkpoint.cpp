@@ -1,0 +1,253 @@
+// ranks: 1 3
+// timeout: 300
+//
+// A run that is resumed from a checkpoint, by as many ranks as wrote it or by
+// others, goes on as the run that was not interrupted: a box is pressed onto a
+// layer, and its contact comes and goes.
+
+#include "io/canonical_order.hpp"
+#include "support/pressed_box.hpp"
+#include "support/temp_directory.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+struct Setup
+{
+   TimeOptions times;
+   int order = 1;
+   LinearMethod method = LinearMethod::direct;
+   /// The checkpoint is written once this time is passed.
+   real_t interruption = 0.0;
+};
+
+struct Row
+{
+   real_t time = 0.0;
+   Point3 force;
+   real_t area = 0.0;
+   /// All dofs in an order that does not depend on the ranks; on rank 0.
+   std::vector<double> displacement;
+   std::vector<double> pressure;
+   std::vector<double> traction;
+};
+
+PressedBoxOptions Options(const Setup &setup)
+{
+   PressedBoxOptions options;
+   options.order = setup.order;
+   options.method = setup.method;
+   options.relative_tolerance =
+      setup.method == LinearMethod::direct ? 1e-12 : 1e-10;
+   return options;
+}
+
+std::vector<double> Gather(PressedBox &box, const ParFiniteElementSpace &space,
+                           const Vector &values)
+{
+   return CanonicalOrder(space, box.Problem().Mesh().SerialElements())
+      .Gather(values);
+}
+
+/// Goes on until @a until is passed, or to the end.
+std::vector<Row> March(PressedBox &box, TimeStepper &stepper, real_t until)
+{
+   std::vector<Row> rows;
+   BiphasicSpaces &spaces = box.Problem().Spaces();
+   while (!stepper.Done() && stepper.Time() < until)
+   {
+      const StepReport report = stepper.Step();
+      CAPTURE(report.reason, report.time);
+      REQUIRE(report.converged);
+      Row row;
+      row.time = report.time;
+      row.force = box.Force();
+      row.area = report.contact_area;
+      row.displacement =
+         Gather(box, spaces.Displacement(), stepper.State().GetBlock(0));
+      row.pressure =
+         Gather(box, spaces.Pressure(), stepper.State().GetBlock(1));
+      row.traction = Gather(box, spaces.Multiplier(), box.Pair().Traction());
+      rows.push_back(row);
+   }
+   return rows;
+}
+
+std::vector<Row> Whole(const Setup &setup, MPI_Comm comm)
+{
+   PressedBox box(comm, Options(setup));
+   TimeStepper stepper(box.Problem(), setup.times);
+   return March(box, stepper, PressedBox::end);
+}
+
+std::string WriteHalfway(const Setup &setup, const std::string &directory,
+                         MPI_Comm comm)
+{
+   PressedBox box(comm, Options(setup));
+   TimeStepper stepper(box.Problem(), setup.times);
+   March(box, stepper, setup.interruption);
+   return WriteCheckpoint(directory, box.Problem(), stepper);
+}
+
+std::vector<Row> Resume(const Setup &setup, const std::string &file,
+                        MPI_Comm comm)
+{
+   PressedBox box(comm, Options(setup));
+   TimeStepper stepper(box.Problem(), setup.times);
+   ReadCheckpoint(file, box.Problem(), stepper);
+   CHECK(stepper.Time() >= setup.interruption);
+   return March(box, stepper, PressedBox::end);
+}
+
+/// Largest magnitude of a field in a run.
+real_t Largest(const std::vector<Row> &rows, std::vector<double> Row::*field)
+{
+   real_t largest = 0.0;
+   for (const Row &row : rows)
+   {
+      for (const double value : row.*field)
+      {
+         largest = std::max(largest, std::abs(value));
+      }
+   }
+   return largest;
+}
+
+void CheckNear(const std::vector<double> &a, const std::vector<double> &b,
+               real_t tolerance)
+{
+   REQUIRE(a.size() == b.size());
+   real_t difference = 0.0;
+   for (std::size_t i = 0; i < a.size(); i++)
+   {
+      difference = std::max(difference, std::abs(a[i] - b[i]));
+   }
+   CHECK(difference <= tolerance);
+}
+
+/// The resumed run, whose rows are the last ones, against the whole one.
+void Compare(const std::vector<Row> &resumed, const std::vector<Row> &whole,
+             real_t tolerance)
+{
+   REQUIRE(resumed.size() < whole.size());
+   // Contact changes in what is compared.
+   CHECK(resumed.back().area < 0.8 * resumed.front().area);
+   const std::size_t before = whole.size() - resumed.size();
+   for (std::size_t i = 0; i < resumed.size(); i++)
+   {
+      const Row &a = resumed[i];
+      const Row &b = whole[before + i];
+      CAPTURE(i, a.time, b.time);
+      CHECK(a.time == Approx(b.time).epsilon(tolerance));
+      CHECK(a.area == Approx(b.area).epsilon(tolerance));
+      for (int d = 0; d < 3; d++)
+      {
+         CHECK(std::abs(a.force[d] - b.force[d]) <=
+               tolerance * std::abs(b.force[2]));
+      }
+      CheckNear(a.displacement, b.displacement,
+                tolerance * Largest(whole, &Row::displacement));
+      CheckNear(a.pressure, b.pressure,
+                tolerance * Largest(whole, &Row::pressure));
+      CheckNear(a.traction, b.traction,
+                tolerance * Largest(whole, &Row::traction));
+   }
+}
+
+/// The first @a count ranks; MPI_COMM_NULL on the others.
+class FirstRanks
+{
+public:
+   explicit FirstRanks(int count)
+   {
+      const int rank = Mpi::WorldRank();
+      MPI_Comm_split(MPI_COMM_WORLD, rank < count ? 0 : MPI_UNDEFINED, rank,
+                     &comm);
+   }
+   ~FirstRanks()
+   {
+      if (Has())
+      {
+         MPI_Comm_free(&comm);
+      }
+   }
+   FirstRanks(const FirstRanks &) = delete;
+   FirstRanks &operator=(const FirstRanks &) = delete;
+   bool Has() const { return comm != MPI_COMM_NULL; }
+   MPI_Comm Get() const { return comm; }
+
+private:
+   MPI_Comm comm;
+};
+
+Setup MakeSetup()
+{
+   Setup setup;
+   setup.times.end = PressedBox::end;
+   setup.times.step = 5.0;
+   setup.interruption = 30.0;
+   SECTION("with fixed steps and order 1") {}
+   SECTION("with order 2, three stages, amid a segment of the load")
+   {
+      setup.order = 2;
+      setup.times.scheme = TimeScheme::sdirk33;
+      setup.times.step = 10.0;
+      setup.interruption = 50.0;
+   }
+   SECTION("with adaptive steps")
+   {
+      setup.times.adaptive = true;
+      setup.times.error_tolerance = 2e-2;
+   }
+   SECTION("with adaptive steps, on a corner of the load")
+   {
+      setup.times.adaptive = true;
+      setup.times.error_tolerance = 2e-2;
+      setup.interruption = 40.0;
+   }
+   return setup;
+}
+} // namespace
+
+TEST_CASE("A run resumed by as many ranks equals the uninterrupted one")
+{
+   Setup setup = MakeSetup();
+   // This solver keeps nothing from one step to the next, unlike the other one,
+   // whose factors are not in the checkpoint: all the rest must be.
+   setup.method = LinearMethod::block_amg;
+   const TempDirectory directory;
+   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
+   const std::string file =
+      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-12);
+}
+
+TEST_CASE("A run resumed by more ranks, or on the first of them, equals the "
+          "uninterrupted one")
+{
+   const Setup setup = MakeSetup();
+   const int size = Mpi::WorldSize();
+   const TempDirectory directory;
+   const FirstRanks fewer(std::max(1, size - 1));
+   if (fewer.Has())
+   {
+      WriteHalfway(setup, directory.Path(), fewer.Get());
+   }
+   MPI_Barrier(MPI_COMM_WORLD);
+   const std::string file =
+      FindCheckpoint(directory.Path(), MPI_COMM_WORLD).file;
+   CHECK_FALSE(file.empty());
+   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
+   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-8);
+   const std::vector<Row> alone = Resume(setup, file, MPI_COMM_SELF);
+   if (Mpi::Root())
+   {
+      Compare(alone, whole, 1e-8);
+   }
+}
