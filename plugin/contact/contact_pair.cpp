@@ -183,7 +183,6 @@ void ContactPair::VerifyReach() const
 
 void ContactPair::SetPenalties()
 {
-   MFEM_VERIFY(time_step > 0.0, "SetTimeStep() comes before Search()");
    for (int j = 0; j < penalty.Size(); j++)
    {
       const real_t h = operators.face_size[j];

@@ -4,6 +4,7 @@
 #include "general/state_archive.hpp"
 #include "materials/material_table.hpp"
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -76,7 +77,7 @@ public:
    }
    const ContactSurface &Destination() const { return destination; }
 
-   /// Prepares for steps of length @a dt (time).
+   /// Prepares for steps of length @a dt (time); until then for steady flow.
    void SetTimeStep(mfem::real_t dt);
 
    /// Moves the surfaces to displacement @a u (true dofs), searches, and
@@ -183,7 +184,7 @@ private:
    mfem::Vector destination_areas;
    GapOperators operators;
    bool searched = false;
-   mfem::real_t time_step = 0.0;
+   mfem::real_t time_step = std::numeric_limits<mfem::real_t>::infinity();
    bool reached = false;
 
    mfem::Vector penalty;

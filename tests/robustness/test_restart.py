@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""Runs that are killed, interrupted, or run out of disk, and what is left.
+
+Requirements: kill -9 at any moment costs at most the steps since the last
+checkpoint, and the run goes on from there, on any number of ranks, to the same
+results; Ctrl-C ends it with a checkpoint, says how to go on, and gives an exit
+status of its own; a full disk is reported and spoils no checkpoint.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import pathlib
+import random
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    import gmsh  # noqa: F401
+except (ImportError, OSError):
+    print("skipped: no gmsh module for Python")
+    sys.exit(242)
+
+SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
+PROGRAM = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"]) / "miniapps/synovia"
+MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+STEP, END, BETWEEN = 5.0, 300.0, 3
+KILLS = 10
+FORCE = "contact.columns.force_z"
+PEAK = "fluid.peak_pressure"
+
+checks = 0
+
+
+def check(condition: bool, text: str) -> None:
+    global checks
+    checks += 1
+    print(("ok      " if condition else "FAILED  ") + text, flush=True)
+    if not condition:
+        sys.exit(1)
+
+
+def rows(directory: pathlib.Path) -> list[dict[str, float]]:
+    with open(directory / "history.csv") as file:
+        return [{name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def descendants(pid: int) -> list[int]:
+    children = []
+    for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
+        try:
+            children += [int(child) for child in task.read_text().split()]
+        except OSError:
+            pass   # it has just ended
+    return children + [d for child in children for d in descendants(child)]
+
+
+class Case:
+    """Two columns in contact, on a coarse mesh."""
+
+    def __init__(self, directory: pathlib.Path) -> None:
+        self.mesh = directory / "two_columns.msh"
+        subprocess.run([sys.executable, SOURCE / "meshes/boxes.py",
+                        "two_columns", "--size", "2", "-o", self.mesh],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def command(self, ranks: int, output: pathlib.Path, *more: str) -> list:
+        return [MPIEXEC, "-n", str(ranks), PROGRAM,
+                SOURCE / "miniapps/cases/two_columns.toml",
+                "--set", f'mesh.file="{self.mesh}"',
+                "--set", f"time.step={STEP}", "--set", f"time.end={END}",
+                "--set", 'time.scheme="backward_euler"',
+                "--set", f"output.checkpoint_every={BETWEEN}",
+                "--set", "output.fields_every=0",
+                "--output", output, *more]
+
+    def run(self, ranks: int, output: pathlib.Path,
+            *more: str) -> subprocess.CompletedProcess:
+        return subprocess.run(self.command(ranks, output, *more), text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              timeout=300)
+
+    def start(self, ranks: int, output: pathlib.Path,
+              *more: str) -> subprocess.Popen:
+        return subprocess.Popen(self.command(ranks, output, *more), text=True,
+                                stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT)
+
+
+def compare(output: pathlib.Path, whole: list[dict[str, float]],
+            text: str) -> None:
+    found = rows(output)
+    check([row["t"] for row in found] == [row["t"] for row in whole],
+          f"{text}: each step once, {len(found)} of them")
+    for name in (FORCE, PEAK):
+        scale = max(abs(row[name]) for row in whole)
+        change = max(abs(a[name] - b[name]) for a, b in zip(found, whole))
+        check(change <= 1e-8 * scale,
+              f"{text}: {name} differs by {change / scale:.1e} of its largest")
+
+
+def killed(case: Case, directory: pathlib.Path,
+           whole: list[dict[str, float]], seconds: float) -> None:
+    """Kills it again and again, on changing numbers of ranks."""
+    output = directory / "killed"
+    chance = random.Random(5)
+    resumed = 0
+    for attempt in range(KILLS):
+        before = rows(output)[-1]["t"] if attempt > 0 and (
+            output / "history.csv").exists() and rows(output) else 0.0
+        run = case.start(1 + attempt % 3, output, "--resume")
+        time.sleep(chance.uniform(0.1, 0.35) * seconds)
+        for pid in [*descendants(run.pid), run.pid]:
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        text, _ = run.communicate()
+        at = re.search(r"goes on from t = ([0-9.e+]+)", text)
+        if at:
+            resumed += 1
+            lost = before - float(at.group(1))
+            check(lost < (BETWEEN + 1) * STEP,
+                  f"kill {attempt}: the run before had got to {before:g}, this "
+                  f"one went on from {at.group(1)}")
+    check(resumed > KILLS / 2, f"{resumed} runs went on from a checkpoint")
+    result = case.run(2, output, "--resume")
+    check(result.returncode == 0, "the last run gets to the end")
+    compare(output, whole, f"killed {KILLS} times")
+
+
+def interrupted(case: Case, directory: pathlib.Path,
+                whole: list[dict[str, float]], seconds: float) -> None:
+    output = directory / "interrupted"
+    run = case.start(2, output)
+    time.sleep(0.5 * seconds)
+    run.send_signal(signal.SIGINT)
+    text, _ = run.communicate(timeout=60)
+    check(run.returncode not in (0, None),
+          f"Ctrl-C: the exit status is {run.returncode}")
+    check("stopped at t = " in text and "--resume" in text,
+          "Ctrl-C: it says where it stopped and how to go on")
+    at = float(re.search(r"stopped at t = ([0-9.e+]+)", text).group(1))
+    check(0 < at < END and rows(output)[-1]["t"] == at,
+          f"Ctrl-C: the step at {at:g} is complete")
+    result = case.run(3, output, "--resume")
+    check(result.returncode == 0
+          and f"goes on from t = {at:g}" in result.stdout,
+          "Ctrl-C: three ranks go on from there")
+    compare(output, whole, "Ctrl-C")
+
+
+def full_disk(case: Case, directory: pathlib.Path,
+              whole: list[dict[str, float]]) -> None:
+    disk = directory / "disk"
+    disk.mkdir()
+    # Room for the history and a checkpoint or two.
+    size = sum(file.stat().st_size for file in
+               (directory / "whole").rglob("*") if file.is_file())
+    mounted = subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", f"size={size + 8192}", "tmpfs", disk],
+        stderr=subprocess.DEVNULL).returncode == 0
+    if not mounted:
+        print("skipped: no permission to mount a small disk")
+        return
+    try:
+        hog = disk / "hog"
+        # Blocks that others use.
+        hog.write_bytes(b"x" * (size // 2))
+        output = disk / "out"
+        result = case.run(2, output)
+        check("no space left" in result.stdout.lower(),
+              "full disk: it is reported")
+        hog.unlink()
+        result = case.run(2, output, "--resume")
+        check(result.returncode == 0,
+              "full disk: with room again, the run goes on to its end")
+        found = {row["t"]: row for row in rows(output)}
+        check(all(abs(found[row["t"]][FORCE] - row[FORCE])
+                  <= 1e-8 * abs(whole[-1][FORCE])
+                  for row in whole if row["t"] in found)
+              and END in found, "full disk: and to the same results")
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        case = Case(directory)
+        began = time.monotonic()
+        result = case.run(2, directory / "whole")
+        seconds = time.monotonic() - began
+        if result.returncode != 0:
+            print(result.stdout)
+        check(result.returncode == 0, f"a run undisturbed: {seconds:.1f} s")
+        whole = rows(directory / "whole")
+        check(len(whole) == round(END / STEP), "all its steps are there")
+        killed(case, directory, whole, seconds)
+        interrupted(case, directory, whole, seconds)
+        full_disk(case, directory, whole)
+    print(f"all {checks} checks passed")
+
+
+if __name__ == "__main__":
+    main()
