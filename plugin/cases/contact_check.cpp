@@ -60,6 +60,7 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                           Attributes(mesh, contact.source),
                           Attributes(mesh, contact.destination),
                           contact.options);
+         pair.SetTimeStep(setup.time.step);
          pair.Search(u);
          pair.Evaluate(u, p);
          pairs.push_back({pair.Name(), LeastGap(pair), pair.GapTolerance(),

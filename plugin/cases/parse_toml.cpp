@@ -97,6 +97,30 @@ CaseValue Convert(const toml::node &node, const std::string &source)
    }
    return value;
 }
+
+// The line that got toml++ to fail an assertion: those tell no place.
+int AssertingLine(const std::string &text)
+{
+   int line = 0;
+   for (size_t end = 0; end < text.size();)
+   {
+      line++;
+      end = std::min(text.find('\n', end), text.size() - 1) + 1;
+      try
+      {
+         const toml::table fine = toml::parse(text.substr(0, end));
+      }
+      catch (const toml::parse_error &)
+      {
+         // A value that goes on in the next line, perhaps.
+      }
+      catch (const TomlAssertion &)
+      {
+         return line;
+      }
+   }
+   return line;
+}
 } // namespace
 
 CaseValue ParseToml(const std::string &text, const std::string &source)
@@ -116,7 +140,8 @@ CaseValue ParseToml(const std::string &text, const std::string &source)
    }
    catch (const TomlAssertion &)
    {
-      throw Error(source + ": this is not TOML");
+      throw Error(ToText({source, AssertingLine(text), 1}) +
+                  ": this is not TOML");
    }
 }
 

@@ -296,6 +296,8 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       // What is not TOML
       {"scale = 1000", "scale = ", {"dir/case.toml:4:", "not TOML"}},
       {"scale = 1000", "file = \"b\"", {"dir/case.toml:4:", "not TOML"}},
+      {"[time]", "[=time]", {"dir/case.toml:26:1: this is not TOML"}},
+      {"[time]", "[(time]", {"dir/case.toml:26:1: this is not TOML"}},
       {"[time]", "[time", {"dir/case.toml:", "not TOML"}},
    };
    for (const Fault &fault : faults)
