@@ -176,7 +176,8 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
       const auto &u = boundary.displacement;
       const bool idle = !u[0] && !u[1] && !u[2] && !boundary.pressure &&
                         !boundary.traction && !boundary.normal_traction &&
-                        !boundary.normal_flux;
+                        !boundary.normal_flux &&
+                        boundary.spring.stiffness == 0.0;
       bool complained = false;
       for (const char *key :
            {"displacement", "pressure", "traction", "normal_traction",
@@ -188,15 +189,20 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
       {
          reading.Complain(path,
                           "nothing is prescribed here; give displacement, "
-                          "pressure, traction, normal_traction or "
-                          "normal_flux");
+                          "pressure, traction, normal_traction, "
+                          "normal_flux or spring");
+      }
+      if (boundary.spring.IsDirected() && boundary.spring.stiffness == 0.0)
+      {
+         reading.Complain(path + ".spring",
+                          "there is a direction, but no stiffness");
       }
       const std::set<std::string> distinct(boundary.surfaces.begin(),
                                            boundary.surfaces.end());
       for (const std::string &surface : distinct)
       {
          prescriptions.Enter(boundary, surface, path);
-         if ((u[0] || u[1] || u[2]) &&
+         if ((u[0] || u[1] || u[2] || boundary.spring.stiffness > 0.0) &&
              surface.find_first_of(",\"'/\\") != std::string::npos)
          {
             reading.Complain(path + ".surfaces",

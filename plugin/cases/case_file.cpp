@@ -12,6 +12,16 @@
 namespace synovia
 {
 
+bool SpringCase::IsDirected() const
+{
+   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
+}
+
+bool SpringCase::Holds(int component) const
+{
+   return stiffness > 0.0 && (!IsDirected() || direction[component] != 0.0);
+}
+
 namespace
 {
 // No case is that long; a mesh given by mistake may be.

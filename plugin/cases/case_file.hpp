@@ -84,8 +84,14 @@ struct MaterialCase
 /// Springs per area, between the surface and a fixed base.
 struct SpringCase
 {
+   /// Of all springs together (force / length); 0: there are none.
    mfem::real_t stiffness = 0.0;
+   /// Zero: alike in all directions.
    std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
+
+   bool IsDirected() const;
+   /// Whether they resist a component of the displacement.
+   bool Holds(int component) const;
 };
 
 /// A rigidly moving surface, driven by its resultant.

@@ -140,10 +140,11 @@ KeyTable SpringKeys(SpringCase &spring)
 {
    KeyTable keys;
    keys
-      .Value("stiffness", spring.stiffness, "stress/length",
-             "of springs per area")
-      .Positive();
-   keys.Value("direction", spring.direction, "", "of the springs");
+      .Value("stiffness", spring.stiffness, "force/length",
+             "of all springs together, spread over the surfaces; 0 for none")
+      .AtLeast(0.0);
+   keys.Value("direction", spring.direction, "",
+              "of the springs; [0, 0, 0] for alike in all directions");
    return keys;
 }
 
@@ -170,10 +171,8 @@ KeyTable BoundaryKeys(BoundaryCase &boundary)
               "total traction along the outward normal, positive in tension");
    keys.Value("normal_flux", boundary.normal_flux, "length/time",
               "outward relative flux of the fluid");
-   keys
-      .Table("spring", SpringKeys(boundary.spring),
-             "springs between the surface and a fixed base")
-      .NotYet();
+   keys.Table("spring", SpringKeys(boundary.spring),
+              "springs between the surfaces and a fixed base");
    keys
       .Table("force", ForceKeys(boundary.force),
              "moves the surface rigidly by a resultant")

@@ -109,7 +109,7 @@ Surfaces CheckSurfaces(const CaseFile &setup, NameCheck &names)
          names.Boundaries(boundary.surfaces, Path("boundary", i, "surfaces"));
       for (int d = 0; d < 3; d++)
       {
-         if (boundary.displacement[d])
+         if (boundary.displacement[d] || boundary.spring.Holds(d))
          {
             surfaces.held[d].Append(found);
          }
@@ -208,6 +208,14 @@ void CaseProblem::SetMaterials(const CaseFile &setup)
 
 void CaseProblem::SetBoundary(const BoundaryCase &boundary)
 {
+   if (boundary.spring.stiffness > 0.0)
+   {
+      const auto &d = boundary.spring.direction;
+      const Vector direction =
+         boundary.spring.IsDirected() ? Vector({d[0], d[1], d[2]}) : Vector();
+      problem.AddSprings(boundary.surfaces, boundary.spring.stiffness,
+                         direction);
+   }
    for (const std::string &surface : boundary.surfaces)
    {
       for (int d = 0; d < 3; d++)

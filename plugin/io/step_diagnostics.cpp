@@ -46,6 +46,12 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
                problem.Reaction(support));
    }
    BiphasicOperator &op = problem.Operator();
+   const Vector &displacement = stepper.State().GetBlock(0);
+   for (size_t i = 0; i < problem.SpringNames().size(); i++)
+   {
+      AddPoint(row, "spring." + problem.SpringNames()[i] + ".",
+               problem.Conditions().Springs()[i].Force(displacement));
+   }
    for (const ContactPair *pair : op.Pairs())
    {
       AddContact(row, *pair);

@@ -49,6 +49,11 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
    const PhaseTimer timer(times.assembly);
    rate = 0.0;
    support = 0.0;
+   for (const SpringFoundation &springs : conditions.Springs())
+   {
+      matrices.stiffness.reset(
+         Add(1.0, *matrices.stiffness, 1.0, springs.Matrix()));
+   }
    jacobian = std::make_unique<BiphasicJacobian>(
       matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs);
    linear =

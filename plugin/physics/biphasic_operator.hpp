@@ -105,13 +105,6 @@ public:
    };
    const FluidBalance &Fluid() const { return fluid; }
 
-   /// True dofs of the pressure that were held at the last stage, ascending:
-   /// prescribed or free-draining.
-   const mfem::Array<int> &DrainedDofs() const
-   {
-      return jacobian->PressureDofs();
-   }
-
 private:
    /// One implicit stage from the state (u0, p0).
    struct Stage

@@ -87,6 +87,21 @@ void BiphasicProblem::AddNormalFlux(const std::string &boundary,
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
 }
 
+void BiphasicProblem::AddSprings(const std::vector<std::string> &boundaries,
+                                 real_t stiffness, const Vector &direction)
+{
+   VerifyOpen();
+   Array<int> attributes;
+   for (const std::string &boundary : boundaries)
+   {
+      attributes.Append(mesh.Boundary(boundary));
+   }
+   attributes.Sort();
+   attributes.Unique();
+   conditions->AddSprings(attributes, stiffness, direction);
+   spring_names.push_back(boundaries.front());
+}
+
 void BiphasicProblem::AddContact(const std::string &source,
                                  const std::string &destination,
                                  const ContactOptions &options,

@@ -48,6 +48,12 @@ public:
                     const LoadCurve &value);
    /// Total traction along the outward normal, positive in tension (stress).
    void AddNormalTraction(const std::string &boundary, const LoadCurve &value);
+   /// Springs on a fixed base: stiffness of all together (force / length),
+   /// along
+   /// @a direction, or alike in all directions if that is empty.
+   void AddSprings(const std::vector<std::string> &boundaries,
+                   mfem::real_t stiffness,
+                   const mfem::Vector &direction = mfem::Vector());
    /// Outward relative flux (length / time).
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
 
@@ -81,6 +87,10 @@ public:
    };
    const std::vector<Support> &Supports() const { return supports; }
 
+   /// Names for the springs of Conditions().Springs() that AddSprings() has
+   /// added, in order: that of their first boundary.
+   const std::vector<std::string> &SpringNames() const { return spring_names; }
+
    /// Force that a support exerts on the body in its prescribed components, at
    /// the last stage. A dof of two supports counts in both.
    Point3 Reaction(const Support &support);
@@ -106,6 +116,7 @@ private:
    std::vector<PairSetup> pair_setups;
    NonlinearOptions nonlinear;
    std::vector<Support> supports;
+   std::vector<std::string> spring_names;
    std::unique_ptr<BiphasicOperator> op;
 };
 

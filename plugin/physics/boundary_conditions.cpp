@@ -116,6 +116,12 @@ void BoundaryConditions::AddNormalTraction(const Array<int> &boundary,
    AddCorners(value);
 }
 
+void BoundaryConditions::AddSprings(const Array<int> &boundary,
+                                    real_t stiffness, const Vector &direction)
+{
+   springs.emplace_back(spaces, boundary, stiffness, direction);
+}
+
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
                                        const LoadCurve &value)
 {

@@ -2,6 +2,7 @@
 
 #include "general/load_curve.hpp"
 #include "physics/biphasic_spaces.hpp"
+#include "physics/spring_foundation.hpp"
 
 #include <memory>
 #include <vector>
@@ -42,6 +43,10 @@ public:
    void AddNormalTraction(const mfem::Array<int> &boundary,
                           const LoadCurve &value);
 
+   /// Springs on a fixed base, as SpringFoundation has them.
+   void AddSprings(const mfem::Array<int> &boundary, mfem::real_t stiffness,
+                   const mfem::Vector &direction = mfem::Vector());
+
    /// Outward relative flux -kappa grad p . n (length / time).
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
    void AddNormalFlux(const mfem::Array<int> &boundary,
@@ -62,6 +67,8 @@ public:
    /// Sets the loads at time @a t, true-dof vectors: @a momentum in force,
    /// @a mass in volume / time (sources less prescribed outflow).
    void GetLoads(mfem::real_t t, mfem::Vector &momentum, mfem::Vector &mass);
+
+   const std::vector<SpringFoundation> &Springs() const { return springs; }
 
    /// Where load curves have corners, ascending, each once.
    const std::vector<mfem::real_t> &Corners() const { return corners; }
@@ -113,6 +120,7 @@ private:
    std::vector<FieldValue> p_fields;
    std::vector<CurveLoad> momentum_loads;
    std::vector<CurveLoad> mass_loads;
+   std::vector<SpringFoundation> springs;
    FieldLoad momentum_form;
    FieldLoad mass_form;
    std::vector<mfem::real_t> corners;

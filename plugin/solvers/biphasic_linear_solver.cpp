@@ -84,11 +84,10 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
                                            BiphasicSpaces &spaces,
                                            const LinearOptions &options_)
    : jacobian(jacobian_), comm(spaces.GetComm()), options(options_),
-     method(Choose(options, spaces)),
      force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
                                 MeanDiagonal(*jacobian.Volume().compliance)))
 {
-   if (method == LinearMethod::direct)
+   if (Choose(options, spaces) == LinearMethod::direct)
    {
       preconditioner =
          std::make_unique<DirectPreconditioner>(jacobian, options.renew_after);

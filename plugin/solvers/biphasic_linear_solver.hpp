@@ -92,13 +92,11 @@ public:
                 const ResidualTolerance &tolerance, mfem::real_t target);
 
    const LinearOptions &Options() const { return options; }
-   LinearMethod Method() const { return method; }
 
 private:
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    LinearOptions options;
-   LinearMethod method;
    mfem::real_t force_per_volume;
    std::unique_ptr<BiphasicPreconditioner> preconditioner;
 };

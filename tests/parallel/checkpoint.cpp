@@ -7,7 +7,7 @@
 
 #include "io/canonical_order.hpp"
 #include "support/pressed_box.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -221,7 +221,7 @@ TEST_CASE("A run resumed by as many ranks equals the uninterrupted one")
    // This solver keeps nothing from one step to the next, unlike the other one,
    // whose factors are not in the checkpoint: all the rest must be.
    setup.method = LinearMethod::block_amg;
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
    const std::string file =
       WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
@@ -233,7 +233,7 @@ TEST_CASE("A run resumed by more ranks, or on the first of them, equals the "
 {
    const Setup setup = MakeSetup();
    const int size = Mpi::WorldSize();
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    const FirstRanks fewer(std::max(1, size - 1));
    if (fewer.Has())
    {

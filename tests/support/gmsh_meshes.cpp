@@ -72,7 +72,7 @@ std::string SaveWithGmsh(const TemporaryDirectory &directory,
 {
    int rank = 0;
    MPI_Comm_rank(directory.GetComm(), &rank);
-   const std::string path = directory.File("mesh.msh");
+   const std::string path = directory / "mesh.msh";
    if (rank == 0)
    {
       gmsh::initialize(0, nullptr, false);

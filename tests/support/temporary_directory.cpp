@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace synovia
@@ -50,12 +51,17 @@ TemporaryDirectory::~TemporaryDirectory()
 std::string TemporaryDirectory::Write(const std::string &name,
                                       const std::string &text) const
 {
-   if (IsRoot(comm))
-   {
-      std::ofstream(File(name), std::ios::binary) << text;
-   }
-   MPI_Barrier(comm);
-   return File(name);
+   const std::string file = *this / name;
+   OnRootOnly([&]() { std::ofstream(file, std::ios::binary) << text; });
+   return file;
+}
+
+std::string ReadText(const std::string &path)
+{
+   std::ifstream file(path, std::ios::binary);
+   std::ostringstream text;
+   text << file.rdbuf();
+   return text.str();
 }
 
 } // namespace synovia

@@ -284,8 +284,8 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
        "frame = {type = \"cylindrical\"}\nsolid = {",
        {"material.0.frame", "not supported yet"}},
       {"surfaces = \"top\"",
-       "surfaces = \"top\"\nspring = {stiffness = 1}",
-       {"boundary.1.spring", "not supported yet"}},
+       "surfaces = \"top\"\nspring = {direction = [0, 0, 1]}",
+       {"boundary.1.spring", "there is a direction, but no stiffness"}},
       {"surfaces = \"top\"",
        "surfaces = \"top\"\nforce = {curve = 1}",
        {"boundary.1.force", "not supported yet"}},
@@ -402,10 +402,10 @@ TEST_CASE("All ranks read a file alike, or fail to", "[case]")
    const std::string file = directory.Write("case.toml", good);
    const CaseFile setup = ReadCase(file, MPI_COMM_WORLD);
    CHECK(setup.time.end == 20.0);
-   CHECK(setup.mesh.file == directory.File("boxes.msh"));
-   CHECK_THROWS_WITH(ReadCase(directory.File("none.toml"), MPI_COMM_WORLD),
+   CHECK(setup.mesh.file == directory / "boxes.msh");
+   CHECK_THROWS_WITH(ReadCase(directory / "none.toml", MPI_COMM_WORLD),
                      Contains("none.toml: there is no such file"));
-   CHECK_THROWS_WITH(ReadCase(directory.File(""), MPI_COMM_WORLD),
+   CHECK_THROWS_WITH(ReadCase(directory / "", MPI_COMM_WORLD),
                      Contains("this is a directory"));
    const std::string bad = directory.Write("bad.toml", "[mesh]\nfiel = 1\n");
    CHECK_THROWS_WITH(ReadCase(bad, MPI_COMM_WORLD),

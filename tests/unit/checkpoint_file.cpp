@@ -5,7 +5,7 @@
 
 #include "io/hdf5_columns.hpp"
 #include "support/boxes.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 #include "synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -70,14 +70,14 @@ private:
    std::unique_ptr<TimeStepper> stepper;
 };
 
-void Overwrite(const TempDirectory &directory, const std::string &file,
+void Overwrite(const TemporaryDirectory &directory, const std::string &file,
                const std::string &text)
 {
    directory.OnRootOnly([&]()
                         { std::ofstream(file, std::ios::binary) << text; });
 }
 
-std::vector<std::string> Files(const TempDirectory &directory)
+std::vector<std::string> Files(const TemporaryDirectory &directory)
 {
    MPI_Barrier(MPI_COMM_WORLD);
    std::vector<std::string> names;
@@ -118,7 +118,7 @@ private:
 
 TEST_CASE("Any damage to a checkpoint is noticed, and nothing is changed")
 {
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    Column column;
    column.Step();
    column.Step();
@@ -174,7 +174,7 @@ TEST_CASE("Any damage to a checkpoint is noticed, and nothing is changed")
 
 TEST_CASE("A checkpoint can be read by everything that reads HDF5")
 {
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    Column column;
    column.Step();
    const std::string file = column.Save(directory.Path());
@@ -188,7 +188,7 @@ TEST_CASE("A checkpoint can be read by everything that reads HDF5")
 
 TEST_CASE("The newest checkpoints are kept, and the newest good one found")
 {
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    CHECK(FindCheckpoint(directory.Path(), MPI_COMM_WORLD).file.empty());
    CHECK(FindCheckpoint(directory / "nowhere", MPI_COMM_WORLD).file.empty());
    directory.OnRootOnly(
@@ -229,7 +229,7 @@ TEST_CASE("The newest checkpoints are kept, and the newest good one found")
 
 TEST_CASE("A full disk is reported, and leaves the checkpoints that there are")
 {
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    Column column;
    column.Step();
    const std::string before = column.Save(directory.Path());
@@ -261,7 +261,7 @@ TEST_CASE("A full disk is reported, and leaves the checkpoints that there are")
 
 TEST_CASE("A checkpoint of another problem is refused")
 {
-   const TempDirectory directory;
+   const TemporaryDirectory directory;
    Column column;
    column.Step();
    const std::string file = column.Save(directory.Path());

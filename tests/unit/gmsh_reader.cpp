@@ -32,7 +32,7 @@ NamedMesh SaveAndRead(const GmshFormat &format,
                    options);
 }
 
-NamedMesh ReadText(const std::string &text)
+NamedMesh ReadMeshText(const std::string &text)
 {
    const TemporaryDirectory directory;
    return ReadGmsh(directory.Write("mesh.msh", text), MPI_COMM_WORLD);
@@ -186,7 +186,8 @@ TEST_CASE("gmsh reader: memory full of fours")
          block.assign(size / sizeof(int), 4);
       }
    }
-   CHECK(RegionVolume(ReadText(MshText(2, 2, 2).Text()), "10") == Approx(8.0));
+   CHECK(RegionVolume(ReadMeshText(MshText(2, 2, 2).Text()), "10") ==
+         Approx(8.0));
 }
 
 // The box has the same measures whatever it is made and saved as.
@@ -469,7 +470,7 @@ TEST_CASE("gmsh reader: version 2 with one entity for all")
 {
    MshText text(2, 2, 3);
    text.region = [](int, int, int k) { return k == 2 ? 20 : 10; };
-   const NamedMesh mesh = ReadText(text.Text());
+   const NamedMesh mesh = ReadMeshText(text.Text());
    CHECK(RegionVolume(mesh, "10") == Approx(8.0));
    CHECK(RegionVolume(mesh, "20") == Approx(4.0));
 }
@@ -483,7 +484,7 @@ TEST_CASE("gmsh reader: untidy files")
    text.stray_node = true;
    SECTION("numbers and stray nodes")
    {
-      const NamedMesh mesh = ReadText(text.Text());
+      const NamedMesh mesh = ReadMeshText(text.Text());
       CHECK(RegionVolume(mesh, "10") == Approx(8.0));
       long long vertices = 0;
       long long mine = mesh.Get().GetNE();
@@ -498,7 +499,7 @@ TEST_CASE("gmsh reader: untidy files")
       {
          windows += c == '\n' ? "\r\n" : std::string(1, c);
       }
-      CHECK(RegionVolume(ReadText(windows), "10") == Approx(8.0));
+      CHECK(RegionVolume(ReadMeshText(windows), "10") == Approx(8.0));
    }
 }
 
@@ -509,7 +510,7 @@ TEST_CASE("gmsh reader: left-handed elements")
    const bool all = GENERATE(false, true);
    text.left_handed = [&](int i, int j, int k)
    { return all || (i + j + k) % 2 == 0; };
-   const NamedMesh mesh = ReadText(text.Text());
+   const NamedMesh mesh = ReadMeshText(text.Text());
    CHECK(RegionVolume(mesh, "10") == Approx(8.0));
    CHECK(BoundaryArea(mesh, "1") == Approx(24.0));
 }
@@ -522,9 +523,8 @@ TEST_CASE("gmsh reader: left-handed curved elements")
    const TemporaryDirectory directory;
    std::string text =
       SavedText(directory, OfOrder(2), [&]() { BuildCylinder(cells, 0.7); });
-   const NamedMesh as_it_is =
-      ReadGmsh(directory.File("mesh.msh"), MPI_COMM_WORLD);
-   const NamedMesh mirrored = ReadText(MirrorMsh(text));
+   const NamedMesh as_it_is = ReadGmsh(directory / "mesh.msh", MPI_COMM_WORLD);
+   const NamedMesh mirrored = ReadMeshText(MirrorMsh(text));
    CHECK(RegionVolume(mirrored, "cylinder") ==
          Approx(RegionVolume(as_it_is, "cylinder")));
    CHECK(BoundaryArea(mirrored, "mantle") ==

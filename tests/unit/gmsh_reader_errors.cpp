@@ -58,10 +58,10 @@ std::string ErrorOfModel(const std::function<void()> &build)
 TEST_CASE("gmsh reader errors: no file")
 {
    const TemporaryDirectory directory;
-   const std::string missing = directory.File("nothing.msh");
+   const std::string missing = directory / "nothing.msh";
    CHECK_THROWS_WITH(ReadGmsh(missing, MPI_COMM_WORLD),
                      "mesh \"" + missing + "\": there is no such file");
-   const std::string place = directory.File("");
+   const std::string place = directory / "";
    CHECK_THROWS_WITH(ReadGmsh(place, MPI_COMM_WORLD),
                      "mesh \"" + place + "\": this is a directory");
    CHECK(ErrorOf(directory, "") == "the file is empty");

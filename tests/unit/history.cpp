@@ -3,11 +3,13 @@
 #include "io/history.hpp"
 #include "general/error.hpp"
 #include "io/hdf5_columns.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 using namespace synovia;
 using Catch::Matchers::Contains;
@@ -32,7 +34,7 @@ void AddRows(History &history, int from, int to)
 
 TEST_CASE("A history is the same in both files", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    {
       History history(temp / "out", MPI_COMM_WORLD);
       history.Add(MakeRow(0.1, -1.0 / 3.0));
@@ -50,7 +52,7 @@ TEST_CASE("A history is the same in both files", "[io]")
 
 TEST_CASE("A killed run leaves all rows but the one in work", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    History history(temp.Path(), MPI_COMM_WORLD);
    // More than a chunk of the HDF5 datasets.
    AddRows(history, 1, 1100);
@@ -70,7 +72,7 @@ TEST_CASE("A killed run leaves all rows but the one in work", "[io]")
 
 TEST_CASE("A new history replaces an old one, before its first row", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    {
       History history(temp.Path(), MPI_COMM_WORLD);
       AddRows(history, 1, 3);
@@ -82,7 +84,7 @@ TEST_CASE("A new history replaces an old one, before its first row", "[io]")
 
 TEST_CASE("A restart keeps the rows up to its time and goes on", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    {
       History history(temp.Path(), MPI_COMM_WORLD);
       AddRows(history, 1, 9);
@@ -109,7 +111,7 @@ TEST_CASE("A restart keeps the rows up to its time and goes on", "[io]")
 
 TEST_CASE("There must be a history to continue, with times", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    REQUIRE_THROWS_WITH(History(temp.Path(), MPI_COMM_WORLD, 1.0),
                        Contains("history.csv', the history to continue"));
    temp.OnRootOnly([&]() { std::ofstream(temp / "history.csv") << "a,b\n"; });
@@ -119,7 +121,7 @@ TEST_CASE("There must be a history to continue, with times", "[io]")
 
 TEST_CASE("Rows must have the columns of the first one", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    History history(temp.Path(), MPI_COMM_WORLD);
    history.Add(MakeRow(1.0, 2.0));
    REQUIRE_THROWS_WITH(history.Add({{"t", 2.0}, {"dt", 1.0}}),
@@ -133,7 +135,7 @@ TEST_CASE("Rows must have the columns of the first one", "[io]")
 
 TEST_CASE("Names that a file can't hold are refused", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    History history(temp.Path(), MPI_COMM_WORLD);
    for (const std::string name : {"", "a,b", "a/b", "a\"b", "a\nb"})
    {
@@ -146,7 +148,7 @@ TEST_CASE("Names that a file can't hold are refused", "[io]")
 
 TEST_CASE("A history that can't be written is an error on all ranks", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    temp.OnRootOnly([&]() { std::ofstream(temp / "file") << "a file"; });
    REQUIRE_THROWS_WITH(History(temp / "file/out", MPI_COMM_WORLD),
                        Contains("file/out"));

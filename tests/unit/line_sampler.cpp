@@ -3,12 +3,14 @@
 #include "io/line_sampler.hpp"
 #include "general/error.hpp"
 #include "support/boxes.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 #include "support/two_boxes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 using namespace mfem;
 using namespace synovia;
@@ -233,7 +235,7 @@ TEST_CASE("A line that makes no sense is refused", "[io]")
 
 TEST_CASE("A sampled line is written as a table", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    NamedMesh mesh = MakeBox({});
    const Fields fields(mesh.Get());
    LineDefinition line;

@@ -2,16 +2,19 @@
 
 #include "io/output_directory.hpp"
 #include "general/error.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace synovia;
 using Catch::Matchers::Contains;
 
 TEST_CASE("An output directory is made with those above it", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    const std::string path = temp / "a/b/c";
    MakeOutputDirectory(path, MPI_COMM_WORLD);
    CHECK(std::filesystem::is_directory(path));
@@ -25,7 +28,7 @@ TEST_CASE("An output directory is made with those above it", "[io]")
 
 TEST_CASE("An impossible output directory is an error on all ranks", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    temp.OnRootOnly([&]() { std::ofstream(temp / "file") << "a file"; });
    REQUIRE_THROWS_WITH(MakeOutputDirectory(temp / "file/sub", MPI_COMM_WORLD),
                        Contains("file/sub': Not a directory"));

@@ -3,9 +3,12 @@
 #include "io/paraview_output.hpp"
 #include "general/error.hpp"
 #include "support/boxes.hpp"
-#include "support/temp_directory.hpp"
+#include "support/temporary_directory.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace mfem;
 using namespace synovia;
@@ -34,7 +37,7 @@ int Ranks()
 
 TEST_CASE("Fields go to a series of files that name each other", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    BoxOptions box;
    box.type = Element::TETRAHEDRON;
    NamedMesh mesh = MakeBox(box);
@@ -63,7 +66,7 @@ TEST_CASE("Fields go to a series of files that name each other", "[io]")
 
 TEST_CASE("A surface that not all ranks have a part of is saved", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    BoxOptions box;
    box.nz = 12;
    NamedMesh mesh = MakeBox(box);
@@ -82,7 +85,7 @@ TEST_CASE("A surface that not all ranks have a part of is saved", "[io]")
 
 TEST_CASE("A restart keeps the steps before it", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    NamedMesh mesh = MakeBox({});
    {
       ParaViewOutput output(temp.Path(), "volume", mesh.Get(), 1);
@@ -103,7 +106,7 @@ TEST_CASE("A restart keeps the steps before it", "[io]")
 
 TEST_CASE("Fields that can't be written are an error on all ranks", "[io]")
 {
-   const TempDirectory temp;
+   const TemporaryDirectory temp;
    temp.OnRootOnly([&]() { std::ofstream(temp / "file") << "a file"; });
    NamedMesh mesh = MakeBox({});
    REQUIRE_THROWS_WITH(ParaViewOutput(temp / "file", "volume", mesh.Get(), 1),

@@ -1,0 +1,102 @@
+#include "physics/spring_foundation.hpp"
+#include "general/error.hpp"
+#include "general/reduce.hpp"
+#include "general/text.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+real_t Area(ParMesh &mesh, const Array<int> &marker)
+{
+   real_t area = 0.0;
+   for (int i = 0; i < mesh.GetNBE(); i++)
+   {
+      if (!marker[mesh.GetBdrAttribute(i) - 1])
+      {
+         continue;
+      }
+      ElementTransformation &map = *mesh.GetBdrElementTransformation(i);
+      const IntegrationRule &rule =
+         IntRules.Get(map.GetGeometryType(), 2 * map.OrderW() + 2);
+      for (int q = 0; q < rule.GetNPoints(); q++)
+      {
+         const IntegrationPoint &ip = rule.IntPoint(q);
+         map.SetIntPoint(&ip);
+         area += ip.weight * map.Weight();
+      }
+   }
+   return SumOverRanks(area, mesh.GetComm());
+}
+
+// The identity, or d d^T for the unit vector d.
+DenseMatrix Directions(const Vector &direction)
+{
+   DenseMatrix directions(3);
+   directions = 0.0;
+   if (direction.Size() == 0)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         directions(d, d) = 1.0;
+      }
+      return directions;
+   }
+   const real_t square = direction * direction;
+   if (!(square > 0.0))
+   {
+      throw Error("the direction of springs is zero; give a vector, or none "
+                  "for springs that act alike in all directions");
+   }
+   MultVVt(direction, directions);
+   directions *= 1.0 / square;
+   return directions;
+}
+} // namespace
+
+SpringFoundation::SpringFoundation(BiphasicSpaces &spaces,
+                                   const Array<int> &boundary, real_t stiffness,
+                                   const Vector &direction)
+{
+   if (!(stiffness > 0.0) || !std::isfinite(stiffness))
+   {
+      throw Error("the stiffness of springs is " + ToText(stiffness) +
+                  "; it must be positive");
+   }
+   ParMesh &mesh = spaces.GetMesh();
+   Array<int> marker(mesh.bdr_attributes.Max());
+   marker = 0;
+   for (const int attribute : boundary)
+   {
+      marker[attribute - 1] = 1;
+   }
+   DenseMatrix density = Directions(direction);
+   density *= stiffness / Area(mesh, marker);
+   MatrixConstantCoefficient coefficient(density);
+   ParBilinearForm form(&spaces.Displacement());
+   form.AddBoundaryIntegrator(new VectorMassIntegrator(coefficient), marker);
+   form.Assemble();
+   form.Finalize();
+   matrix.reset(form.ParallelAssemble());
+}
+
+Point3 SpringFoundation::Force(const Vector &u) const
+{
+   Vector force(matrix->Height());
+   matrix->Mult(-1.0, u, 0.0, force);
+   Point3 sum{{0.0, 0.0, 0.0}};
+   for (int i = 0; i < force.Size(); i++)
+   {
+      sum[i % 3] += force[i];
+   }
+   MPI_Allreduce(MPI_IN_PLACE, sum.data(), 3, MPITypeMap<real_t>::mpi_type,
+                 MPI_SUM, matrix->GetComm());
+   return sum;
+}
+
+} // namespace synovia
