@@ -160,6 +160,10 @@ std::string Simulation::CheckpointDirectory() const
 void Simulation::Say(const std::string &text)
 {
    log->Add(text);
+   if (progress)
+   {
+      progress->EndLine();
+   }
    if (IsRoot(comm))
    {
       std::cout << text << std::endl;
@@ -265,6 +269,7 @@ std::string Simulation::WriteCheckpoint()
       // Those of before are still there, and the disk may get room again.
       const std::string warning = std::string("warning: ") + error.what();
       log->TryToAdd(warning);
+      progress->EndLine();
       if (IsRoot(comm))
       {
          std::cerr << warning << std::endl;
@@ -275,6 +280,7 @@ std::string Simulation::WriteCheckpoint()
 
 void Simulation::Fail(const StepReport &report)
 {
+   progress->EndLine();
    std::string text = "the step from t = " + ToText(report.time) +
                       " with dt = " + ToText(report.dt) +
                       " failed: " + report.reason;

@@ -46,6 +46,17 @@ void Progress::Report(const StepReport &report, const TimeStepper &stepper)
                report.solve.linear, report.contact_area, elapsed,
                elapsed / step * left, terminal && !last ? "" : "\n");
    std::fflush(stdout);
+   open = terminal && !last;
+}
+
+void Progress::EndLine()
+{
+   if (open)
+   {
+      std::printf("\n");
+      std::fflush(stdout);
+      open = false;
+   }
 }
 
 } // namespace synovia

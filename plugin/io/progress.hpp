@@ -15,9 +15,13 @@ public:
    /// Call after each accepted step.
    void Report(const StepReport &report, const TimeStepper &stepper);
 
+   /// Call before anything else is written: ends a line that stands open.
+   void EndLine();
+
 private:
    bool writes;
    bool terminal;
+   bool open = false;
    int step = 0;
    int linear = 0;
    double last_line = 0.0;
