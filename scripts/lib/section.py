@@ -79,6 +79,7 @@ def draw_section(axes: plt.Axes, sections: list, plane: list[int],
             x[:, plane[0]], x[:, plane[1]], triangles_of(section), value,
             shading="gouraud", rasterized=True, **colours)
     draw_outlines(axes, sections, plane)
+    axes.autoscale_view()
     axes.set_aspect("equal")
     plt.colorbar(mappable, ax=axes, orientation="horizontal",
                  extend=extent(values, colours), aspect=40, pad=0.02,
@@ -95,14 +96,20 @@ def extent(values: list[np.ndarray], colours: dict) -> str:
             (False, True): "max", (True, True): "both"}[low, high]
 
 
-def colour_range(values: list[np.ndarray]) -> dict:
-    """A map and limits that a singularity at an edge doesn't determine.
+def colour_range(sections: list, values: list[np.ndarray]) -> dict:
+    """A map and limits for values at the sections' points.
 
-    Values of both signs get a map with white at zero; where one sign is no
-    more than noise, the map is for the other one only.
+    Values of a hundredth of the area may go beyond them: the singularity at an
+    edge doesn't determine the colours. Values of both signs get a map with
+    white at zero; where one sign is no more than noise, the map is for the
+    other one only.
     """
     every = np.concatenate(values)
-    low, high = np.percentile(every, (0.5, 99.5))
+    order = np.argsort(every)
+    share = np.cumsum(np.concatenate(
+        [areas_of_points(section) for section in sections])[order])
+    low, high = np.interp(np.array([0.01, 0.99]) * share[-1], share,
+                          every[order])
     size = max(abs(low), abs(high))
     if not size > 0:
         return {"cmap": "viridis", "vmin": -1.0, "vmax": 1.0}
@@ -110,3 +117,12 @@ def colour_range(values: list[np.ndarray]) -> dict:
         return {"cmap": "RdBu_r", "vmin": -size, "vmax": size}
     low, high = (0.0, high) if high > -low else (low, 0.0)
     return {"cmap": "viridis", "vmin": low, "vmax": high}
+
+
+def areas_of_points(section) -> np.ndarray:
+    """The area of the section that belongs to each point."""
+    triangles = triangles_of(section)
+    a, b, c = (section.points[triangles[:, i]] for i in range(3))
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
+    return np.bincount(triangles.ravel(), np.repeat(areas, 3),
+                       section.n_points)
