@@ -105,14 +105,17 @@ class Report:
     def each_time(self, name: str, write) -> None:
         """Calls write(name, grids by time); warns of what can't be read."""
         grids = {}
+        key = report_history.key_time(self.history)
         try:
             times = self.out.field_times(name)
-            key = report_history.key_time(self.history)
-            for time in report_fields.picture_times(times, key) \
-                    if times else ():
-                grids[time] = self.out.fields(name, time)
         except OutputError as error:
             self.warn(str(error))
+            return
+        for time in report_fields.picture_times(times, key):
+            try:
+                grids[time] = self.out.fields(name, time)
+            except OutputError as error:
+                self.warn(str(error))
         try:
             write(name, grids)
         except OutputError as error:

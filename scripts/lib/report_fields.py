@@ -193,6 +193,8 @@ def render(surfaces: list, direction: np.ndarray, up: int,
 
 def picture_times(times: list[float], key: float) -> list[float]:
     """Of the saved times, the one nearest to the key time, and the last."""
+    if not times:
+        return []
     nearest = min(times, key=lambda t: abs(t - key))
     return sorted({nearest, times[-1]})
 

@@ -6,6 +6,7 @@ import csv
 import pathlib
 import re
 import tomllib
+import warnings
 from collections.abc import Mapping
 from xml.etree import ElementTree
 
@@ -171,8 +172,15 @@ class Output:
                  else [])
         for part in [file, *parts]:
             require_whole(part)
-        # VTK prints what is wrong with a file, and gives what it has.
-        grid = pyvista.read(str(file))
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            grid = pyvista.read(str(file))
+        # VTK gives what it could read.
+        errors = [str(warning.message) for warning in said
+                  if "error" in str(warning.message)]
+        if errors:
+            reason = errors[0].splitlines()[-1].strip('\t "')
+            raise OutputError(f"'{file}' is damaged: {reason}")
         if grid.n_cells == 0 or not np.isfinite(grid.bounds).all():
             raise OutputError(f"'{file}' holds no elements")
         return grid
