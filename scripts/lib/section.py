@@ -75,8 +75,10 @@ def draw_section(axes: plt.Axes, sections: list, plane: list[int],
     mappable = None
     for section, value in zip(sections, values):
         x = section.points + section["displacement"]
+        triangles = triangles_of(section)
         mappable = axes.tripcolor(
-            x[:, plane[0]], x[:, plane[1]], triangles_of(section), value,
+            x[:, plane[0]], x[:, plane[1]],
+            triangles[~slivers(section, triangles)], value,
             shading="gouraud", rasterized=True, **colours)
     draw_outlines(axes, sections, plane)
     axes.autoscale_view()
@@ -108,8 +110,8 @@ def colour_range(sections: list, values: list[np.ndarray]) -> dict:
     order = np.argsort(every)
     share = np.cumsum(np.concatenate(
         [areas_of_points(section) for section in sections])[order])
-    low, high = np.interp(np.array([0.01, 0.99]) * share[-1], share,
-                          every[order])
+    low, high = every[order[np.searchsorted(
+        share, np.array([0.01, 0.99]) * share[-1])]]
     size = max(abs(low), abs(high))
     if not size > 0:
         return {"cmap": "viridis", "vmin": -1.0, "vmax": 1.0}
@@ -122,7 +124,22 @@ def colour_range(sections: list, values: list[np.ndarray]) -> dict:
 def areas_of_points(section) -> np.ndarray:
     """The area of the section that belongs to each point."""
     triangles = triangles_of(section)
-    a, b, c = (section.points[triangles[:, i]] for i in range(3))
-    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
-    return np.bincount(triangles.ravel(), np.repeat(areas, 3),
+    return np.bincount(triangles.ravel(),
+                       np.repeat(areas(section, triangles) / 3, 3),
                        section.n_points)
+
+
+def areas(section, triangles: np.ndarray) -> np.ndarray:
+    a, b, c = (section.points[triangles[:, i]] for i in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def slivers(section, triangles: np.ndarray) -> np.ndarray:
+    """Which triangles are of elements that the plane hardly touches.
+
+    They would be drawn one pixel wide over their neighbours.
+    """
+    corners = section.points[triangles]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1),
+                             axis=2).max(axis=1)
+    return 2 * areas(section, triangles) < 2e-3 * longest**2
