@@ -65,8 +65,10 @@ def sections_figure(grid, up: int, cut: tuple[int, float], time: float,
     points = np.vstack([part.points for part in parts])[:, plane]
     width, height = np.ptp(points, axis=0)
     # Each panel has its own axes' and colour bar's labels around it.
-    panel_height = np.clip(4.4 * height / width, 0.5, 6) + 1.25
-    figure, axes = plt.subplots(2, 2, figsize=(10, 2 * panel_height))
+    rows, columns = (1, 4) if height > width else (2, 2)
+    panel_height = np.clip(8.8 / columns * height / width, 0.5, 5.5) + 1.25
+    figure, axes = plt.subplots(rows, columns, squeeze=False,
+                                figsize=(10, rows * panel_height + 0.3))
     for axis, (name, kind, values) in zip(axes.flat, panels):
         section.draw_section(axis, parts, plane, values,
                              units.label(name, kind),

@@ -92,8 +92,10 @@ def draw_section(axes: plt.Axes, sections: list, plane: list[int],
 def extent(values: list[np.ndarray], colours: dict) -> str:
     """On which sides values go beyond the colours."""
     every = np.concatenate(values)
-    low = every.min() < colours["vmin"]
-    high = every.max() > colours["vmax"]
+    # Round-off in a uniform field is not beyond them.
+    tolerance = 1e-3 * (colours["vmax"] - colours["vmin"])
+    low = every.min() < colours["vmin"] - tolerance
+    high = every.max() > colours["vmax"] + tolerance
     return {(False, False): "neither", (True, False): "min",
             (False, True): "max", (True, True): "both"}[low, high]
 
