@@ -137,10 +137,12 @@ def view_figure(grid, up: int, time: float, units: Units):
                                               for surface in surfaces])
     picture = render(surfaces, direction_of_view(grid, up), up, colours)
     height, width = picture.shape[:2]
-    figure, axes = plt.subplots(figsize=(8, 8 * height / width + 0.8))
+    scale = min(8 / width, 5.5 / height)
+    figure, axes = plt.subplots(figsize=(max(scale * width, 4),
+                                         scale * height + 0.8))
     axes.imshow(picture)
     axes.set_axis_off()
-    axes.set_title(f"t = {time:g}, true displacement, edges before it in red")
+    axes.set_title(f"t = {time:g}, edges before in red")
     plt.colorbar(plt.cm.ScalarMappable(
         plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"]),
         ax=axes, orientation="horizontal", shrink=0.6, aspect=40, pad=0.02,

@@ -255,7 +255,8 @@ def plot_curves(time: np.ndarray, curves: list[Curve], title: str,
         axes.set_yscale("log")
     elif steps:
         # Zeros are to be seen, too.
-        axes.set_ylim(-0.04 * max(largest(v) for _, v in curves), None)
+        top = max(largest(v) for _, v in curves) or 1.0
+        axes.set_ylim(-0.04 * top, 1.06 * top)
     else:
         axes.axhline(0, color=style.GREY, linewidth=0.6, zorder=0)
     axes.set(title=title, xlabel=units.label("time", "time"),
