@@ -24,9 +24,9 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 
 import numpy as np  # noqa: E402
-from matplotlib.collections import LineCollection  # noqa: E402
 
 import figure_style as style  # noqa: E402
+import section  # noqa: E402
 from figure_style import plt  # noqa: E402
 from synovia_output import (  # noqa: E402
     Output, OutputError, interpolate, reference)
@@ -35,9 +35,6 @@ RADIUS = 0.75           # of the indenter, mm
 THICKNESS = 0.75        # of the cartilage, mm
 HOLD, HALFWAY = 500.0, 250.0    # s
 QUARTERS = 4            # the model is a quarter of the cylinder
-
-BEFORE = {"color": style.RED, "linewidth": 1.0}
-AFTER = {"color": "black", "linewidth": 0.8}
 
 LEVELS = {"cartilage_top": "top", "cartilage_middle": "middle",
           "cartilage_bottom": "bottom"}
@@ -95,41 +92,20 @@ def fluid_pressure(axes: plt.Axes, out: Output) -> None:
 def axial_stress(axes: plt.Axes, out: Output) -> None:
     """The section y = 0 after its displacement, over the initial outline."""
     grid = out.fields("bodies", HALFWAY)
-    for field in ("displacement", "total_stress", "attribute"):
-        if field not in grid.array_names:
-            raise OutputError(f"the fields of '{out.directory}' lack {field}")
-    bodies = [grid.extract_cells(grid["attribute"] == region)
-              for region in np.unique(grid["attribute"])]
-    # A plane in the boundary itself cuts nothing.
-    width = grid.bounds[1] - grid.bounds[0]
-    sections = [body.slice(normal="y", origin=(0, 1e-5 * width, 0))
-                .triangulate() for body in bodies]
+    section.require_fields(
+        grid, ("displacement", "total_stress", "attribute"), out.directory)
+    sections = section.cut(section.bodies_of(grid), normal=1, at=0.0)
 
     # The stress at the rim has no bound; the colours are for the rest of it.
     on_axis = reference("indent_surface.csv").where("t", HALFWAY)["szz"][0]
-    low = 2e3 * on_axis
-    for section in sections:
-        x = section.points + section["displacement"]
-        triangles = section.faces.reshape(-1, 4)[:, 1:]
-        colours = axes.tripcolor(
-            x[:, 0], x[:, 2], triangles, 1e3 * section["total_stress"][:, 2],
-            shading="gouraud", cmap="viridis", vmin=low, vmax=0,
-            rasterized=True)
-        edges = section.extract_feature_edges(
-            boundary_edges=True, feature_edges=False, manifold_edges=False,
-            non_manifold_edges=False)
-        segments = edges.lines.reshape(-1, 3)[:, 1:]
-        for points, look in (
-                (edges.points, BEFORE),
-                (edges.points + edges["displacement"], AFTER)):
-            axes.add_collection(LineCollection(
-                points[:, [0, 2]][segments], capstyle="round", **look))
-    axes.set(xlabel="$x$ (mm)", ylabel="$z$ (mm)", aspect="equal",
+    section.draw_section(
+        axes, sections, [0, 2],
+        [1e3 * part["total_stress"][:, 2] for part in sections],
+        r"$\sigma_{zz}$ (kPa)", cmap="viridis", vmin=2e3 * on_axis, vmax=0)
+    axes.set(xlabel="$x$ (mm)", ylabel="$z$ (mm)",
              title=f"Axial stress, {HALFWAY:g} s, true displacement")
-    axes.plot([], [], label="before", **BEFORE)
+    axes.plot([], [], label="before", **section.BEFORE)
     axes.legend(loc="upper right")
-    plt.colorbar(colours, ax=axes, orientation="horizontal", extend="both",
-                 aspect=40, pad=0.02, label=r"$\sigma_{zz}$ (kPa)")
 
 
 def contact_stress(axes: plt.Axes, out: Output) -> None:

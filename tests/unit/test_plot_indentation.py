@@ -12,43 +12,26 @@ import unittest
 try:
     import matplotlib  # noqa: F401
     import numpy as np
-    import pyvista
+    import pyvista  # noqa: F401
     from matplotlib.collections import LineCollection
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(242)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]
 sys.dont_write_bytecode = True
 import plot_indentation  # noqa: E402
 from synovia_output import Output, OutputError, reference  # noqa: E402
+from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
 RADIUS, THICKNESS, WIDTH = 0.75, 0.75, 3.0
-
-
-def write_csv(file: pathlib.Path, columns: dict) -> None:
-    file.parent.mkdir(parents=True, exist_ok=True)
-    np.savetxt(file, np.transpose(list(columns.values())), delimiter=",",
-               header=",".join(columns), comments="")
 
 
 def write_line(folder: pathlib.Path, name: str, t: float, **columns) -> None:
     count = len(next(iter(columns.values())))
     table = {c: np.zeros(count) for c in ("x", "z", "p", "szz", "sxz")}
     write_csv(folder / "lines" / f"{name}_t{t:g}.csv", {**table, **columns})
-
-
-def box(low: tuple, high: tuple, region: int) -> pyvista.UnstructuredGrid:
-    """A body of hexahedra with a displacement and a stress."""
-    axes = [np.linspace(a, b, 7) for a, b in zip(low, high)]
-    grid = pyvista.StructuredGrid(*np.meshgrid(*axes, indexing="ij"))
-    grid = grid.cast_to_unstructured_grid()
-    grid["displacement"] = grid.points * (0.0, 0.0, -0.05)
-    grid["total_stress"] = np.outer(grid.points[:, 2] - 2.0,
-                                    (0, 0, 0.01, 0, 0, 0))
-    grid.cell_data["attribute"] = np.full(grid.n_cells, region)
-    return grid
 
 
 def write_output(folder: pathlib.Path, factor: float) -> None:
@@ -67,15 +50,9 @@ def write_output(folder: pathlib.Path, factor: float) -> None:
     for name in ("cartilage", "indenter"):
         write_line(folder, f"contact_{name}", 250, x=surface["r"],
                    szz=surface["szz"])
-    bodies = folder / "fields" / "bodies"
-    bodies.mkdir(parents=True)
     both = (box((0, 0, 0), (WIDTH, 1, THICKNESS), 1)
             + box((0, 0, THICKNESS), (RADIUS, 1, 1.5), 2))
-    both.save(bodies / "data.vtu")
-    (bodies / "bodies.pvd").write_text(
-        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n'
-        '<Collection><DataSet timestep="250" part="0" file="data.vtu"/>'
-        '</Collection>\n</VTKFile>\n')
+    write_collection(folder, "bodies", {250: [both]})
 
 
 class PlotIndentation(unittest.TestCase):

@@ -1,0 +1,147 @@
+"""Flat sections through deformed bodies, with their initial outlines."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.collections import LineCollection
+
+import figure_style as style
+from figure_style import plt
+from synovia_output import OutputError
+
+BEFORE = {"color": style.RED, "linewidth": 1.0}
+AFTER = {"color": "black", "linewidth": 0.8}
+
+AXES = "xyz"
+
+
+def require_fields(grid, names: tuple[str, ...], where: object) -> None:
+    """The fields must be in the grid."""
+    for name in names:
+        if name not in grid.array_names:
+            raise OutputError(f"the fields of '{where}' lack {name}")
+
+
+def bodies_of(grid) -> list:
+    """The regions of a grid of elements, each a grid."""
+    return [grid.extract_cells(grid["attribute"] == region)
+            for region in np.unique(grid["attribute"])]
+
+
+def cut(bodies: list, normal: int, at: float) -> list:
+    """Triangles of the bodies' sections by the plane x[normal] = at.
+
+    A plane in the boundary itself would cut nothing: it is moved inside by a
+    little. Bodies that it misses are left out.
+    """
+    low = min(body.bounds[2 * normal] for body in bodies)
+    high = max(body.bounds[2 * normal + 1] for body in bodies)
+    margin = 1e-5 * (high - low)
+    origin = np.zeros(3)
+    origin[normal] = np.clip(at, low + margin, high - margin)
+    sections = [body.slice(normal=AXES[normal], origin=origin).triangulate()
+                for body in bodies]
+    sections = [section for section in sections if section.n_cells > 0]
+    if not sections:
+        raise OutputError(f"no body meets the plane {AXES[normal]} = {at:g}")
+    return sections
+
+
+def triangles_of(section) -> np.ndarray:
+    return section.faces.reshape(-1, 4)[:, 1:]
+
+
+def draw_outlines(axes: plt.Axes, sections: list, plane: list[int]) -> None:
+    """The sections' edges before and after the displacement."""
+    for section in sections:
+        edges = section.extract_feature_edges(
+            boundary_edges=True, feature_edges=False, manifold_edges=False,
+            non_manifold_edges=False)
+        segments = edges.lines.reshape(-1, 3)[:, 1:]
+        for points, look in (
+                (edges.points, BEFORE),
+                (edges.points + edges["displacement"], AFTER)):
+            axes.add_collection(LineCollection(
+                points[:, plane][segments], capstyle="round", **look))
+
+
+def draw_section(axes: plt.Axes, sections: list, plane: list[int],
+                 values: list[np.ndarray], label: str, **colours):
+    """Values at the sections' points, on their deformed shapes.
+
+    plane: the two coordinates to draw, horizontal and vertical; colours:
+    arguments of tripcolor (cmap, vmin, vmax). Gives the mappable.
+    """
+    mappable = None
+    for section, value in zip(sections, values):
+        x = section.points + section["displacement"]
+        triangles = triangles_of(section)
+        mappable = axes.tripcolor(
+            x[:, plane[0]], x[:, plane[1]],
+            triangles[~slivers(section, triangles)], value,
+            shading="gouraud", rasterized=True, **colours)
+    draw_outlines(axes, sections, plane)
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    plt.colorbar(mappable, ax=axes, orientation="horizontal",
+                 extend=extent(values, colours), aspect=40, pad=0.02,
+                 label=label)
+    return mappable
+
+
+def extent(values: list[np.ndarray], colours: dict) -> str:
+    """On which sides values go beyond the colours."""
+    every = np.concatenate(values)
+    # Round-off in a uniform field is not beyond them.
+    tolerance = 1e-3 * (colours["vmax"] - colours["vmin"])
+    low = every.min() < colours["vmin"] - tolerance
+    high = every.max() > colours["vmax"] + tolerance
+    return {(False, False): "neither", (True, False): "min",
+            (False, True): "max", (True, True): "both"}[low, high]
+
+
+def colour_range(sections: list, values: list[np.ndarray]) -> dict:
+    """A map and limits for values at the sections' points.
+
+    Values of a hundredth of the area may go beyond them: the singularity at an
+    edge doesn't determine the colours. Values of both signs get a map with
+    white at zero; where one sign is no more than noise, the map is for the
+    other one only.
+    """
+    every = np.concatenate(values)
+    order = np.argsort(every)
+    share = np.cumsum(np.concatenate(
+        [areas_of_points(section) for section in sections])[order])
+    low, high = every[order[np.searchsorted(
+        share, np.array([0.01, 0.99]) * share[-1])]]
+    size = max(abs(low), abs(high))
+    if not size > 0:
+        return {"cmap": "viridis", "vmin": -1.0, "vmax": 1.0}
+    if low < -0.05 * size and high > 0.05 * size:
+        return {"cmap": "RdBu_r", "vmin": -size, "vmax": size}
+    low, high = (0.0, high) if high > -low else (low, 0.0)
+    return {"cmap": "viridis", "vmin": low, "vmax": high}
+
+
+def areas_of_points(section) -> np.ndarray:
+    """The area of the section that belongs to each point."""
+    triangles = triangles_of(section)
+    return np.bincount(triangles.ravel(),
+                       np.repeat(areas(section, triangles) / 3, 3),
+                       section.n_points)
+
+
+def areas(section, triangles: np.ndarray) -> np.ndarray:
+    a, b, c = (section.points[triangles[:, i]] for i in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def slivers(section, triangles: np.ndarray) -> np.ndarray:
+    """Which triangles are of elements that the plane hardly touches.
+
+    They would be drawn one pixel wide over their neighbours.
+    """
+    corners = section.points[triangles]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1),
+                             axis=2).max(axis=1)
+    return 2 * areas(section, triangles) < 2e-3 * longest**2
