@@ -14,7 +14,7 @@ namespace synovia
 /// The configuration in which the surfaces look for each other.
 enum class SearchConfiguration
 {
-   /// The deformed one, anew in every step: for large sliding and rotation.
+   /// The deformed one, anew in every step: for large sliding.
    current,
    /// The undeformed one, once: the linear theory of small displacements to the
    /// letter. Contact is then linear but for its inequalities.

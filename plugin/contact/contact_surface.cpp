@@ -111,6 +111,16 @@ Point3 DeformedFace::CurrentNormal(const IntegrationPoint &ip) const
    return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
 
+Point3 DeformedFace::ReferenceNormal(const IntegrationPoint &ip) const
+{
+   trans.SetIntPoint(&ip);
+   Point3 normal;
+   Vector direction(normal.data(), 3);
+   CalcOrtho(trans.Jacobian(), direction);
+   direction /= direction.Norml2();
+   return normal;
+}
+
 Box DeformedFace::CurrentBox() const
 {
    Box box;

@@ -36,8 +36,9 @@ public:
    Point3 CurrentPoint(const mfem::IntegrationPoint &ip,
                        std::array<Point3, 2> *tangents = nullptr) const;
 
-   /// Outward unit normal of the current configuration.
+   /// Outward unit normals of the two configurations.
    Point3 CurrentNormal(const mfem::IntegrationPoint &ip) const;
+   Point3 ReferenceNormal(const mfem::IntegrationPoint &ip) const;
 
    /// A box around the current face, with room for its curvature.
    Box CurrentBox() const;

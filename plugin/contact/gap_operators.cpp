@@ -95,7 +95,7 @@ std::vector<SearchQuery> MakeQueries(const ContactSurface &destination,
       for (const SegmentPoint &point : segments[i])
       {
          queries.push_back(
-            {face.CurrentPoint(point.ip), face.CurrentNormal(point.ip)});
+            {face.CurrentPoint(point.ip), face.ReferenceNormal(point.ip)});
       }
    }
    return queries;

@@ -7,7 +7,11 @@
 namespace synovia
 {
 
-/// The direction in which gaps are measured and tractions act.
+/// The direction in which gaps are measured and tractions act. Normals are
+/// those of the reference configuration, as the theory of small strains has it:
+/// with normals that follow the deformation, but without the geometric
+/// stiffness that belongs to them, surfaces buckle as soon as the traction gets
+/// near the shear modulus.
 enum class ContactNormal
 {
    /// The destination's normal.
@@ -37,8 +41,8 @@ struct GapOptions
 ///     g_j = int phi_j n.(x_A - x_B) / a_j = (gap u)_j + gap_offset_j
 ///     [p]_j = int phi_j (p_A - p_B) / a_j = (jump p)_j,   a_j = int phi_j
 ///
-/// A is the source, B the destination, n the unit normal (GapOptions::normal)
-/// in the current configuration, x_A the point where it hits A; the integrals
+/// A is the source, B the destination, n the unit normal (GapOptions::normal),
+/// x_A the point where it hits A in the current configuration; the integrals
 /// run over those points of B, in its reference configuration, that hit. The
 /// gap is negative where the surfaces overlap. Rows are zero, and a_j = 0,
 /// where nothing is hit. Integration goes segment by segment
@@ -56,7 +60,8 @@ struct GapOperators
    /// int psi_k phi_j, area of source vertex k that destination vertex j
    /// covers.
    std::unique_ptr<mfem::HypreParMatrix> coverage;
-   /// Gap of the undeformed surfaces along the current normals (length).
+   /// Gap of the undeformed surfaces between the points that see each other
+   /// (length).
    mfem::Vector gap_offset;
    /// a_j (area).
    mfem::Vector area;

@@ -114,8 +114,8 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
                         {
                            return;
                         }
-                        const Point3 normal = face.CurrentNormal(ip);
-                        if (Dot(normal, query.normal) > facing_cosine)
+                        if (Dot(face.CurrentNormal(ip), query.normal) >
+                            facing_cosine)
                         {
                            return;
                         }
@@ -125,7 +125,7 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
                         best.eta = ip.y;
                         best.distance = distance;
                         best.reference = face.ReferencePoint(ip);
-                        best.normal = normal;
+                        best.normal = face.ReferenceNormal(ip);
                      });
    return best;
 }

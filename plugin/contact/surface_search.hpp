@@ -28,7 +28,7 @@ struct SearchHit
    mfem::real_t distance = 0.0;
    /// Position of the point found in the reference configuration.
    Point3 reference{{0.0, 0.0, 0.0}};
-   /// Outward unit normal of the surface there, in the current configuration.
+   /// Outward unit normal of the surface there, in the reference configuration.
    Point3 normal{{0.0, 0.0, 0.0}};
 
    bool Found() const { return rank >= 0; }

@@ -177,19 +177,18 @@ def full_disk(case: Case, directory: pathlib.Path,
               whole: list[dict[str, float]]) -> None:
     disk = directory / "disk"
     disk.mkdir()
-    # Room for the history and a checkpoint or two.
+    # What a run needs twice over, most of it taken by others at first.
     size = sum(file.stat().st_size for file in
                (directory / "whole").rglob("*") if file.is_file())
     mounted = subprocess.run(
-        ["mount", "-t", "tmpfs", "-o", f"size={size + 8192}", "tmpfs", disk],
+        ["mount", "-t", "tmpfs", "-o", f"size={2 * size + 65536}", "tmpfs", disk],
         stderr=subprocess.DEVNULL).returncode == 0
     if not mounted:
         print("skipped: no permission to mount a small disk")
         return
     try:
         hog = disk / "hog"
-        # Blocks that others use.
-        hog.write_bytes(b"x" * (size // 2))
+        hog.write_bytes(b"x" * (3 * size // 2 + 65536))
         output = disk / "out"
         result = case.run(2, output)
         check("no space left" in result.stdout.lower(),

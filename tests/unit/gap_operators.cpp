@@ -281,28 +281,41 @@ TEST_CASE("A small common rotation opens no gap")
    CHECK(Largest(f.Gap(f.Displacement(Rotation, Rotation))) <= round_off);
 }
 
-TEST_CASE("A large common rotation keeps the gap")
+TEST_CASE("A large common translation keeps the gap")
 {
-   const auto shape = GENERATE(Shape::flat, Shape::apart);
+   const auto shape = GENERATE(Shape::flat, Shape::apart, Shape::curved);
    CAPTURE(static_cast<int>(shape));
    Fixture f = MakeFixture(shape);
    Vector present = f.Present();
    present *= shape == Shape::apart ? 0.01 : 0.0;
    CHECK(Difference(f.operators.gap_offset, present) <= round_off);
-   // By 90 degrees about y, and away.
-   const auto turn = [](const Vector &x, Vector &u)
-   {
-      u[0] = x[2] - x[0] + 5.0;
-      u[1] = 0.25;
-      u[2] = -x[0] - x[2];
-   };
-   const Vector u = f.Displacement(turn, turn);
+   const auto shift = Constant({{5.0, 0.25, -3.0}});
+   const Vector u = f.Displacement(shift, shift);
    f.upper.SetDisplacement(u);
    f.lower.SetDisplacement(u);
    f.Assemble();
    Vector gap = f.Gap(u);
    gap += f.operators.gap_offset;
    CHECK(Difference(gap, present) <= round_off);
+}
+
+TEST_CASE("Normals stay when surfaces deform")
+{
+   // What is pressed down along a slope would turn normals that follow.
+   Fixture f = MakeFixture(Shape::flat);
+   const auto slope = [](const Vector &x, Vector &u)
+   {
+      u = 0.0;
+      u[2] = 0.3 * x[0];
+   };
+   const Vector u = f.Displacement(slope, slope);
+   f.upper.SetDisplacement(u);
+   f.lower.SetDisplacement(u);
+   f.Assemble();
+   const auto sideways = Constant({{1.0, 0.0, 0.0}});
+   CHECK(Largest(f.Gap(f.Displacement(Zero, sideways))) <= round_off);
+   CHECK(Difference(f.Gap(f.Displacement(Zero, Constant({{0.0, 0.0, 1.0}}))),
+                    f.Present()) <= round_off);
 }
 
 TEST_CASE("The gap of linear fields is exact")

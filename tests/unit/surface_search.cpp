@@ -240,7 +240,7 @@ TEST_CASE("Every quadrature point between surfaces finds its partner")
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
          const IntegrationPoint &ip = rule.IntPoint(q);
-         queries.push_back({face.CurrentPoint(ip), face.CurrentNormal(ip)});
+         queries.push_back({face.CurrentPoint(ip), face.ReferenceNormal(ip)});
       }
    }
    const std::vector<SearchHit> hits = search.Find(queries);
