@@ -27,7 +27,6 @@ Sample runs:
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 
 try:
@@ -40,6 +39,7 @@ import numpy as np
 
 import gmsh_bodies
 import indentation
+import mesh_script
 from gmsh_bodies import Body
 
 QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types
@@ -133,38 +133,26 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("case", choices=CASES)
     parser.add_argument("-o", "--output",
                         help="file to write (default: CASE.msh)")
-    parser.add_argument("--size", type=indentation.positive, default=1.0,
+    parser.add_argument("--size", type=mesh_script.positive, default=1.0,
                         help="factor on all mesh sizes (default: %(default)s)")
     args = parser.parse_args(argv)
     args.output = args.output or f"{args.case}.msh"
-    folder = os.path.dirname(os.path.abspath(args.output))
-    if not os.path.isdir(folder):
-        parser.error(f"--output: there is no directory '{folder}'")
-    if not args.output.endswith(".msh"):
-        parser.error(f"--output: '{args.output}' does not end in .msh")
+    mesh_script.check_output(parser, args.output)
     return args
 
 
 def main(argv: list[str] | None = None) -> int:
     args = parse(argv)
-    gmsh.initialize([""])
-    try:
-        gmsh.option.setNumber("General.Terminal", 0)
-        gmsh.option.setNumber("General.NumThreads", 1)
+
+    def build() -> dict[str, int]:
         bodies = CASES[args.case](args.size)
+        regions = {region: i for i, region in enumerate(bodies, 1)}
         names = [name for body in bodies.values() for name in body.surfaces]
-        gmsh_bodies.assemble(
-            args.case, bodies,
-            {region: i for i, region in enumerate(bodies, 1)},
-            {name: i for i, name in enumerate(names, 1)})
-        gmsh.write(args.output)
-    except Exception as error:   # gmsh raises bare Exception
-        print(f"boxes.py: error: {error}", file=sys.stderr)
-        return 1
-    finally:
-        gmsh.finalize()
-    print(f"wrote {args.output}")
-    return 0
+        gmsh_bodies.assemble(args.case, bodies, regions,
+                             {name: i for i, name in enumerate(names, 1)})
+        return regions
+
+    return mesh_script.run("boxes.py", args.output, build)
 
 
 if __name__ == "__main__":

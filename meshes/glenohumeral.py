@@ -31,8 +31,6 @@ Sample runs:
 from __future__ import annotations
 
 import argparse
-import math
-import os
 import sys
 
 try:
@@ -43,7 +41,7 @@ except ImportError:
 
 import curved_layer
 import gmsh_bodies
-import mesh_quality
+import mesh_script
 from gmsh_bodies import Body
 
 REGIONS = {"glenoid": 1, "humeral": 2}
@@ -95,14 +93,8 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
 
-    def length(text: str) -> float:
-        value = float(text)
-        if not (math.isfinite(value) and value > 0):
-            raise argparse.ArgumentTypeError(f"{text} is not positive")
-        return value
-
     parser.add_argument("-o", "--output", default="glenohumeral.msh")
-    parser.add_argument("--size", type=length, default=1.0,
+    parser.add_argument("--size", type=mesh_script.positive, default=1.0,
                         help="factor on all element sizes")
     parser.add_argument("--full", action="store_true",
                         help="the whole joint instead of a quarter")
@@ -114,7 +106,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
             ("--humeral-radius", 23.5, "of both sides"),
             ("--humeral-thickness", 1.5, "on the axis"),
             ("--humeral-width", 19.1, "radius of the rim")):
-        parser.add_argument(name, type=length, default=default,
+        parser.add_argument(name, type=mesh_script.positive, default=default,
                             help=f"{text} (mm, default {default})")
     parser.add_argument("--gap", type=float, default=0.0,
                         help="between the layers on the axis (mm)")
@@ -126,43 +118,22 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
         if getattr(args, width) >= 0.98 * getattr(args, radius):
             parser.error(f"--{width} must be less than 0.98 of --{radius}"
                          .replace("_", "-"))
-    folder = os.path.dirname(os.path.abspath(args.output))
-    if not os.path.isdir(folder):
-        parser.error(f"there is no directory {folder}")
+    mesh_script.check_output(parser, args.output)
     return args
 
 
 def main(argv: list[str] | None = None) -> int:
     args = parse(argv)
-    gmsh.initialize([""])
-    try:
-        gmsh.option.setNumber("General.Terminal", int(args.verbose))
-        gmsh.option.setNumber("General.NumThreads", 1)
+
+    def build() -> dict[str, int]:
         surfaces = {name: tag for name, tag in SURFACES.items()
                     if not args.full or not name.startswith("symmetry")}
         gmsh_bodies.assemble("glenohumeral", make_bodies(args), REGIONS,
                              surfaces)
-        worst = 1.0
-        for region, tag in REGIONS.items():
-            quality = mesh_quality.measure([tag])
-            worst = min(worst, quality.min_scaled_jacobian,
-                        quality.min_jacobian_ratio)
-            print(f"{region}: {quality}")
-        if worst <= 0:
-            print("glenohumeral.py: error: the mesh has a tangled element; "
-                  "choose a smaller --size, or other dimensions",
-                  file=sys.stderr)
-            return 1
-        gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)
-        gmsh.option.setNumber("Mesh.Binary", 1)
-        gmsh.write(args.output)
-    except Exception as error:   # gmsh raises bare Exception
-        print(f"glenohumeral.py: error: {error}", file=sys.stderr)
-        return 1
-    finally:
-        gmsh.finalize()
-    print(f"wrote {args.output}")
-    return 0
+        return REGIONS
+
+    return mesh_script.run("glenohumeral.py", args.output, build, args.verbose,
+                           binary=True)
 
 
 if __name__ == "__main__":

@@ -32,7 +32,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import os
 import sys
 
 try:
@@ -42,7 +41,7 @@ except ImportError:
              "python3-gmsh (Debian) or 'pip install gmsh'")
 
 import gmsh_bodies
-import mesh_quality
+import mesh_script
 from gmsh_bodies import Body
 
 REGIONS = {"cartilage": 1, "indenter": 2}
@@ -227,23 +226,15 @@ def take_body(region: str, args: argparse.Namespace) -> Body:
     return gmsh_bodies.extract([tag for _, tag in volumes], surfaces)
 
 
-def positive(text: str) -> float:
-    """A positive, finite number, for argparse."""
-    value = float(text)
-    if not (value > 0 and math.isfinite(value)):
-        raise argparse.ArgumentTypeError(f"{text} is not positive")
-    return value
-
-
 def parse(argv: list[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", default="indentation.msh",
                         help="file to write (default: %(default)s)")
-    parser.add_argument("--size", type=positive, default=1.0,
+    parser.add_argument("--size", type=mesh_script.positive, default=1.0,
                         help="factor on all mesh sizes (default: %(default)s)")
-    parser.add_argument("--rim", type=positive, default=0.01,
+    parser.add_argument("--rim", type=mesh_script.positive, default=0.01,
                         help="size of the cartilage's elements at the "
                         "indenter's rim with --size 1, as a part of a "
                         "(default: %(default)s)")
@@ -256,13 +247,13 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
                         help="of the file (default: %(default)s)")
     parser.add_argument("--binary", action="store_true",
                         help="write a binary file")
-    parser.add_argument("--radius", type=positive, default=3.0,
+    parser.add_argument("--radius", type=mesh_script.positive, default=3.0,
                         help="R of the cartilage, mm (default: %(default)s)")
-    parser.add_argument("--thickness", type=positive, default=0.75,
+    parser.add_argument("--thickness", type=mesh_script.positive, default=0.75,
                         help="h of the cartilage, mm (default: %(default)s)")
-    parser.add_argument("--indenter-radius", type=positive, default=0.75,
+    parser.add_argument("--indenter-radius", type=mesh_script.positive, default=0.75,
                         help="a, mm (default: %(default)s)")
-    parser.add_argument("--indenter-height", type=positive, default=0.75,
+    parser.add_argument("--indenter-height", type=mesh_script.positive, default=0.75,
                         help="mm (default: %(default)s)")
     parser.add_argument("-v", "--verbose", action="store_true",
                         help="let gmsh talk")
@@ -270,43 +261,21 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
     if args.indenter_radius >= args.radius:
         parser.error(f"--indenter-radius {args.indenter_radius:g} must be "
                      f"smaller than --radius {args.radius:g}")
-    folder = os.path.dirname(os.path.abspath(args.output))
-    if not os.path.isdir(folder):
-        parser.error(f"--output: there is no directory '{folder}'")
-    if not args.output.endswith(".msh"):
-        parser.error(f"--output: '{args.output}' does not end in .msh")
+    mesh_script.check_output(parser, args.output)
     return args
 
 
 def main(argv: list[str] | None = None) -> int:
     args = parse(argv)
-    gmsh.initialize([""])
-    try:
-        gmsh.option.setNumber("General.Terminal", int(args.verbose))
-        gmsh.option.setNumber("General.NumThreads", 1)
+
+    def build() -> dict[str, int]:
         bodies = (hexahedral_bodies(args) if args.hex else
                   tetrahedral_bodies(args))
         gmsh_bodies.assemble("indentation", bodies, REGIONS, SURFACES)
-        worst = 1.0
-        for region, tag in REGIONS.items():
-            quality = mesh_quality.measure([tag])
-            worst = min(worst, quality.min_scaled_jacobian,
-                        quality.min_jacobian_ratio)
-            print(f"{region}: {quality}")
-        if worst <= 0:
-            print("indentation.py: error: the mesh has a tangled element; "
-                  "choose a smaller --size", file=sys.stderr)
-            return 1
-        gmsh.option.setNumber("Mesh.MshFileVersion", float(args.format))
-        gmsh.option.setNumber("Mesh.Binary", int(args.binary))
-        gmsh.write(args.output)
-    except Exception as error:   # gmsh raises bare Exception
-        print(f"indentation.py: error: {error}", file=sys.stderr)
-        return 1
-    finally:
-        gmsh.finalize()
-    print(f"wrote {args.output}")
-    return 0
+        return REGIONS
+
+    return mesh_script.run("indentation.py", args.output, build, args.verbose,
+                           float(args.format), args.binary)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include "general/error.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
+#include "mesh/element_measure.hpp"
 #include "mesh/mesh_quality.hpp"
 
 #include <algorithm>
@@ -24,24 +25,11 @@ namespace
 constexpr real_t far_apart = 1e3;
 // Elements below this are flat enough to spoil stresses and iterations.
 constexpr real_t poor_quality = 0.1;
-// What a run keeps, found by runs of the shipped cases: bytes for each entry of
-// the matrices and their factors or hierarchies, and for each unknown.
+// What a run keeps, roughly: bytes for an entry of a matrix, and how much
+// larger than the matrices their factors or hierarchies are.
 constexpr real_t bytes_an_entry = 12.0;
 constexpr real_t copies_with_multigrid = 6.0;
 constexpr real_t copies_with_factors = 4.0;
-
-real_t Measure(ElementTransformation &trans)
-{
-   const IntegrationRule &rule =
-      IntRules.Get(trans.GetGeometryType(), trans.OrderJ());
-   real_t measure = 0.0;
-   for (int q = 0; q < rule.GetNPoints(); q++)
-   {
-      trans.SetIntPoint(&rule.IntPoint(q));
-      measure += rule.IntPoint(q).weight * trans.Weight();
-   }
-   return measure;
-}
 
 void SumOverRanks(std::vector<real_t> &values, MPI_Comm comm)
 {

@@ -1,5 +1,6 @@
 #include "contact/adjacent_layer.hpp"
 #include "general/reduce.hpp"
+#include "mesh/element_measure.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,22 +9,6 @@ namespace synovia
 {
 
 using namespace mfem;
-
-namespace
-{
-real_t Measure(ElementTransformation &trans)
-{
-   const IntegrationRule &rule =
-      IntRules.Get(trans.GetGeometryType(), trans.OrderJ());
-   real_t measure = 0.0;
-   for (int q = 0; q < rule.GetNPoints(); q++)
-   {
-      trans.SetIntPoint(&rule.IntPoint(q));
-      measure += rule.IntPoint(q).weight * trans.Weight();
-   }
-   return measure;
-}
-} // namespace
 
 AdjacentLayer::AdjacentLayer(ParMesh &mesh, const Array<int> &boundary)
 {

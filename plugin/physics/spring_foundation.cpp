@@ -2,6 +2,7 @@
 #include "general/error.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
+#include "mesh/element_measure.hpp"
 
 #include <cmath>
 
@@ -17,18 +18,9 @@ real_t Area(ParMesh &mesh, const Array<int> &marker)
    real_t area = 0.0;
    for (int i = 0; i < mesh.GetNBE(); i++)
    {
-      if (!marker[mesh.GetBdrAttribute(i) - 1])
+      if (marker[mesh.GetBdrAttribute(i) - 1])
       {
-         continue;
-      }
-      ElementTransformation &map = *mesh.GetBdrElementTransformation(i);
-      const IntegrationRule &rule =
-         IntRules.Get(map.GetGeometryType(), 2 * map.OrderW() + 2);
-      for (int q = 0; q < rule.GetNPoints(); q++)
-      {
-         const IntegrationPoint &ip = rule.IntPoint(q);
-         map.SetIntPoint(&ip);
-         area += ip.weight * map.Weight();
+         area += Measure(*mesh.GetBdrElementTransformation(i));
       }
    }
    return SumOverRanks(area, mesh.GetComm());
