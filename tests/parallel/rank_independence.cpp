@@ -1,5 +1,5 @@
 // ranks: 1 2 3 4
-// timeout: 120
+// timeout: 300
 //
 // A problem solved by all ranks together gives what each rank finds alone: a
 // box pressed eccentrically onto a wider layer, so that contact comes and goes.

@@ -1,5 +1,5 @@
 // ranks: 1 2 3 4
-// timeout: 120
+// timeout: 300
 //
 // The Jacobian of two bodies that are partly in contact, partly apart, partly
 // sealed and partly drained, against differences of the equations that it

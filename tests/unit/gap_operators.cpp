@@ -1,5 +1,5 @@
 // ranks: 1 2 3 4
-// timeout: 120
+// timeout: 300
 //
 // The gap and pressure jump between two boxes on top of each other, whose
 // meshes do not match: what they must be, exactly, for simple fields.

@@ -1,5 +1,5 @@
 // ranks: 1 2 3 4
-// timeout: 120
+// timeout: 300
 //
 // Points that look for a surface find it where geometry says, however the
 // elements behind it are split over the ranks.

@@ -1,5 +1,5 @@
 // ranks: 1 2 3
-// timeout: 120
+// timeout: 300
 //
 // Cryer's sphere (1963): a sphere with a drained surface is loaded all around
 // by a total pressure at once. The surface gives first and squeezes the inside,

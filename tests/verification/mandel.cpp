@@ -1,5 +1,5 @@
 // ranks: 1 2 3
-// timeout: 120
+// timeout: 300
 //
 // Mandel's slab (1953): |x| <= a, plane strain in y, between rigid,
 // frictionless, impermeable plates that press it along z with the force 2F per

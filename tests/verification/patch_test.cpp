@@ -1,5 +1,5 @@
 // ranks: 1 2 3 4
-// timeout: 120
+// timeout: 300
 //
 // Contact patch tests: two boxes on top of each other, with meshes that do not
 // match, under loads for which the exact solution is uniform or linear.

@@ -1,5 +1,5 @@
 // ranks: 1 2 3
-// timeout: 120
+// timeout: 300
 //
 // A confined column under a load on its drained top, right after loading: the
 // fluid carries the load, p = load, but for a layer under the top that is much

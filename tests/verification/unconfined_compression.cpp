@@ -1,5 +1,5 @@
 // ranks: 1 2 3
-// timeout: 120
+// timeout: 300
 //
 // Unconfined compression of a disc between frictionless impermeable platens
 // (Armstrong, Lai & Mow 1984): the strain along the axis is uniform, radial
