@@ -357,8 +357,9 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
    size_t first = 0;
    for (size_t i = 0; i < segments.size(); i++)
    {
-      assembler.AddFace(destination.Faces()[i], segments[i], &queries[first],
-                        &hits[first], source_dofs);
+      assembler.AddFace(destination.Faces()[i], segments[i],
+                        queries.data() + first, hits.data() + first,
+                        source_dofs);
       first += segments[i].size();
    }
    return assembler.Finish();
