@@ -121,20 +121,28 @@ public:
       {
          const bool loaded =
             boundary.traction && !IsZero((*boundary.traction)[d]);
-         if (boundary.displacement[d] || loaded)
+         const bool driven = boundary.force.Drives(d);
+         if (boundary.displacement[d] || loaded || driven)
          {
             // A load on what doesn't give would come to nothing.
             once.Enter(surface + '\n' + axes[d],
                        path + (boundary.displacement[d] ? ".displacement"
-                                                        : ".traction"),
-                       std::string("displacement or traction along ") +
+                               : loaded                 ? ".traction"
+                                                        : ".force"),
+                       std::string("displacement, traction or force along ") +
                           axes[d] + at + " is prescribed already");
          }
-         if (boundary.displacement[d] && loaded)
+         if (boundary.displacement[d] && driven)
          {
-            once.Enter(surface + '\n' + axes[d], path + ".traction",
+            once.Enter(surface + '\n' + axes[d], path + ".force",
                        std::string("displacement along ") + axes[d] + at +
                           " is prescribed already");
+         }
+         if ((boundary.displacement[d] || driven) && loaded)
+         {
+            once.Enter(surface + '\n' + axes[d], path + ".traction",
+                       std::string("displacement or force along ") + axes[d] +
+                          at + " is prescribed already");
          }
       }
       if (boundary.pressure)
@@ -174,10 +182,10 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
       const std::string path = Path("boundary", i);
       CheckNames(boundary.surfaces, path + ".surfaces", "surface", reading);
       const auto &u = boundary.displacement;
-      const bool idle = !u[0] && !u[1] && !u[2] && !boundary.pressure &&
-                        !boundary.traction && !boundary.normal_traction &&
-                        !boundary.normal_flux &&
-                        boundary.spring.stiffness == 0.0;
+      const bool idle =
+         !u[0] && !u[1] && !u[2] && !boundary.pressure && !boundary.traction &&
+         !boundary.normal_traction && !boundary.normal_flux &&
+         boundary.spring.stiffness == 0.0 && !boundary.force.curve;
       bool complained = false;
       for (const char *key :
            {"displacement", "pressure", "traction", "normal_traction",
@@ -190,19 +198,30 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
          reading.Complain(path,
                           "nothing is prescribed here; give displacement, "
                           "pressure, traction, normal_traction, "
-                          "normal_flux or spring");
+                          "normal_flux, spring or force");
       }
       if (boundary.spring.IsDirected() && boundary.spring.stiffness == 0.0)
       {
          reading.Complain(path + ".spring",
                           "there is a direction, but no stiffness");
       }
+      if (boundary.force.IsDirected() && !boundary.force.curve)
+      {
+         reading.Complain(path + ".force",
+                          "there is a direction, but no curve");
+      }
+      if (boundary.force.curve && !boundary.force.IsDirected())
+      {
+         reading.Complain(path + ".force",
+                          "there is a curve, but no direction");
+      }
       const std::set<std::string> distinct(boundary.surfaces.begin(),
                                            boundary.surfaces.end());
       for (const std::string &surface : distinct)
       {
          prescriptions.Enter(boundary, surface, path);
-         if ((u[0] || u[1] || u[2] || boundary.spring.stiffness > 0.0) &&
+         if ((u[0] || u[1] || u[2] || boundary.spring.stiffness > 0.0 ||
+              boundary.force.curve) &&
              surface.find_first_of(",\"'/\\") != std::string::npos)
          {
             reading.Complain(path + ".surfaces",

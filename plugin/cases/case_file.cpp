@@ -12,14 +12,32 @@
 namespace synovia
 {
 
+namespace
+{
+bool IsZero(const std::array<mfem::real_t, 3> &vector)
+{
+   return vector[0] == 0.0 && vector[1] == 0.0 && vector[2] == 0.0;
+}
+} // namespace
+
 bool SpringCase::IsDirected() const
 {
-   return direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0;
+   return !IsZero(direction);
 }
 
 bool SpringCase::Holds(int component) const
 {
    return stiffness > 0.0 && (!IsDirected() || direction[component] != 0.0);
+}
+
+bool ForceCase::IsDirected() const
+{
+   return !IsZero(direction);
+}
+
+bool ForceCase::Drives(int component) const
+{
+   return curve && direction[component] != 0.0;
 }
 
 namespace

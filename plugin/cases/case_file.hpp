@@ -99,6 +99,10 @@ struct ForceCase
 {
    std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
    std::optional<LoadCurve> curve;
+
+   bool IsDirected() const;
+   /// Whether it drives a component of the displacement.
+   bool Drives(int component) const;
 };
 
 struct BoundaryCase

@@ -151,7 +151,9 @@ KeyTable SpringKeys(SpringCase &spring)
 KeyTable ForceKeys(ForceCase &force)
 {
    KeyTable keys;
-   keys.Value("direction", force.direction, "", "of the resultant");
+   keys.Value("direction", force.direction, "",
+              "of the resultant; components of the displacement that are zero "
+              "here are free, or as displacement says");
    keys.Value("curve", force.curve, "force", "the resultant in time");
    return keys;
 }
@@ -173,10 +175,8 @@ KeyTable BoundaryKeys(BoundaryCase &boundary)
               "outward relative flux of the fluid");
    keys.Table("spring", SpringKeys(boundary.spring),
               "springs between the surfaces and a fixed base");
-   keys
-      .Table("force", ForceKeys(boundary.force),
-             "moves the surface rigidly by a resultant")
-      .NotYet();
+   keys.Table("force", ForceKeys(boundary.force),
+              "moves the surfaces rigidly, as one, by a resultant");
    return keys;
 }
 
@@ -214,12 +214,22 @@ KeyTable ContactKeys(ContactCase &contact)
    keys.Auto("search_radius", options.search_radius, length,
              "how far the destination looks for the source; the destination's "
              "thickness");
+   keys.Word<InitialOverlap>("initial_overlap", options.initial_overlap,
+                             {{"press_out", InitialOverlap::press_out},
+                              {"remove", InitialOverlap::remove}},
+                             "what becomes of surfaces that overlap as meshed: "
+                             "the first step presses it out, or gaps are "
+                             "measured from it");
+   keys.Auto("overlap_limit", options.overlap_limit, length,
+             "a deeper overlap is an error; a tenth of the destination's "
+             "thickness");
    keys.Word<SearchConfiguration>(
       "configuration", options.configuration,
-      {{"current", SearchConfiguration::current},
-       {"reference", SearchConfiguration::reference}},
-      "where the surfaces look for each other: as deformed, in every step, or "
-      "as meshed, once");
+      {{"reference", SearchConfiguration::reference},
+       {"current", SearchConfiguration::current}},
+      "where the surfaces look for each other: as meshed, once, or as "
+      "deformed, "
+      "in every step, for large sliding");
    keys.Word<ContactNormal>(
       "normal", options.normal,
       {{"destination", ContactNormal::destination},

@@ -216,6 +216,12 @@ void CaseProblem::SetBoundary(const BoundaryCase &boundary)
       problem.AddSprings(boundary.surfaces, boundary.spring.stiffness,
                          direction);
    }
+   if (boundary.force.curve)
+   {
+      const auto &d = boundary.force.direction;
+      problem.DriveByForce(boundary.surfaces, Vector({d[0], d[1], d[2]}),
+                           *boundary.force.curve);
+   }
    for (const std::string &surface : boundary.surfaces)
    {
       for (int d = 0; d < 3; d++)

@@ -38,6 +38,7 @@ void VerifyOptions(const std::string &name, const ContactOptions &options)
           options.pressure_penalty);
    verify(options.gap_tolerance >= 0.0, "gap_tolerance", options.gap_tolerance);
    verify(options.search_radius >= 0.0, "search_radius", options.search_radius);
+   verify(options.overlap_limit >= 0.0, "overlap_limit", options.overlap_limit);
    verify(options.penalty_factor > 0.0, "penalty_factor",
           options.penalty_factor);
    verify(options.pressure_tolerance > 0.0, "pressure_tolerance",
@@ -56,17 +57,48 @@ void VerifyOptions(const std::string &name, const ContactOptions &options)
    }
 }
 
-Vector SumOfDofs(const Vector &force, const Array<int> &dofs, MPI_Comm comm)
+Point3 SumOverRanks(Point3 value, MPI_Comm comm)
 {
-   Vector sum(3);
-   sum = 0.0;
+   MPI_Allreduce(MPI_IN_PLACE, value.data(), 3, MPITypeMap<real_t>::mpi_type,
+                 MPI_SUM, comm);
+   return value;
+}
+
+Point3 SumOfDofs(const Vector &force, const Array<int> &dofs, MPI_Comm comm)
+{
+   Point3 sum{{0.0, 0.0, 0.0}};
    for (const int dof : dofs)
    {
       sum[dof % 3] += force[dof];
    }
-   MPI_Allreduce(MPI_IN_PLACE, sum.GetData(), 3, MPITypeMap<real_t>::mpi_type,
-                 MPI_SUM, comm);
-   return sum;
+   return SumOverRanks(sum, comm);
+}
+
+// About the origin.
+Point3 SumOfMoments(const Vector &force, const Vector &position,
+                    const Array<int> &dofs, MPI_Comm comm)
+{
+   Point3 sum{{0.0, 0.0, 0.0}};
+   for (const int dof : dofs)
+   {
+      const int x = dof - dof % 3;
+      Point3 single{{0.0, 0.0, 0.0}};
+      single[dof % 3] = force[dof];
+      sum = Sum(sum, 1.0,
+                Cross({position[x], position[x + 1], position[x + 2]}, single));
+   }
+   return SumOverRanks(sum, comm);
+}
+
+Vector NodePositions(ParFiniteElementSpace &space)
+{
+   ParGridFunction position(&space);
+   VectorFunctionCoefficient identity(3, [](const Vector &x, Vector &value)
+                                      { value = x; });
+   position.ProjectCoefficient(identity);
+   Vector true_dofs;
+   position.GetTrueDofs(true_dofs);
+   return true_dofs;
 }
 } // namespace
 
@@ -105,19 +137,23 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
                                  layer.LeastPermeability(materials));
    gap_tolerance = options.gap_tolerance > 0.0 ? options.gap_tolerance
                                                : 1e-5 * layer.Thickness();
+   overlap_limit = options.overlap_limit > 0.0 ? options.overlap_limit
+                                               : 0.1 * layer.Thickness();
    gap_options.search_radius =
       options.search_radius > 0.0 ? options.search_radius : layer.Thickness();
    gap_options.quadrature_order = options.quadrature_order;
    gap_options.normal = options.normal;
+   reference_positions = NodePositions(spaces.Displacement());
+   searched_positions = reference_positions;
    source_areas = NodalAreas(source);
    destination_areas = NodalAreas(destination);
 
    const int size = spaces.Multiplier().GetTrueVSize();
-   for (Vector *v :
-        {&penalty, &pressure_penalty, &multiplier, &flux_multiplier,
-         &stored.multiplier[0], &stored.multiplier[1],
-         &stored.flux_multiplier[0], &stored.flux_multiplier[1], &gap, &jump,
-         &traction, &flux, &active, &sealing, &gap_weights, &jump_weights})
+   for (Vector *v : {&penalty, &pressure_penalty, &multiplier, &flux_multiplier,
+                     &stored.multiplier[0], &stored.multiplier[1],
+                     &stored.flux_multiplier[0], &stored.flux_multiplier[1],
+                     &removed_overlap, &gap, &jump, &pressure, &traction, &flux,
+                     &active, &sealing, &gap_weights, &jump_weights})
    {
       v->SetSize(size);
       *v = 0.0;
@@ -140,15 +176,32 @@ void ContactPair::SetTimeStep(real_t dt)
 
 bool ContactPair::Search(const Vector &u)
 {
+   if (!reached)
+   {
+      StartFromMesh();
+   }
    if (options.configuration == SearchConfiguration::current)
    {
       source.SetDisplacement(u);
       destination.SetDisplacement(u);
+      add(reference_positions, u, searched_positions);
+      Assemble();
    }
    else if (searched)
    {
       return false;
    }
+   else if (!operators.gap)
+   {
+      Assemble();
+   }
+   searched = true;
+   SetPenalties();
+   return true;
+}
+
+void ContactPair::Assemble()
+{
    operators = AssembleGapOperators(source, destination, gap_options);
    for (int j = 0; j < operators.area.Size(); j++)
    {
@@ -157,28 +210,43 @@ bool ContactPair::Search(const Vector &u)
          operators.area[j] = 0.0;
       }
    }
-   searched = true;
-   if (!reached)
-   {
-      VerifyReach();
-      reached = true;
-   }
-   SetPenalties();
-   return true;
 }
 
-void ContactPair::VerifyReach() const
+void ContactPair::StartFromMesh()
 {
-   if (SumOverRanks(operators.area.Sum(), comm) > 0.0)
+   Assemble();
+   if (!(SumOverRanks(operators.area.Sum(), comm) > 0.0))
    {
-      return;
+      throw Error("contact pair \"" + name +
+                  "\": looking along the normals of the destination, no point "
+                  "of the source is within the search radius of " +
+                  ToText(gap_options.search_radius) +
+                  "; check the names of the surfaces and the initial gap, or "
+                  "give a larger search_radius");
    }
-   throw Error("contact pair \"" + name +
-               "\": looking along the normals of the destination, no point of "
-               "the source is within the search radius of " +
-               ToText(gap_options.search_radius) +
-               "; check the names of the surfaces and the initial gap, or give "
-               "a larger search_radius");
+   real_t deepest = 0.0;
+   for (int j = 0; j < operators.area.Size(); j++)
+   {
+      if (operators.area[j] > 0.0)
+      {
+         const real_t overlap = std::max(0.0, -operators.gap_offset[j]);
+         deepest = std::max(deepest, overlap);
+         if (options.initial_overlap == InitialOverlap::remove)
+         {
+            removed_overlap[j] = overlap;
+         }
+      }
+   }
+   deepest = MaxOverRanks(deepest, comm);
+   if (deepest > overlap_limit)
+   {
+      throw Error(
+         "contact pair \"" + name + "\": the surfaces overlap by up to " +
+         ToText(deepest) +
+         " as meshed, more than overlap_limit = " + ToText(overlap_limit) +
+         "; move the bodies apart in the mesh, or allow for more");
+   }
+   reached = true;
 }
 
 void ContactPair::SetPenalties()
@@ -187,18 +255,18 @@ void ContactPair::SetPenalties()
    {
       const real_t h = operators.face_size[j];
       const real_t area = operators.area[j];
-      penalty[j] = options.penalty;
-      pressure_penalty[j] = options.pressure_penalty;
+      penalty[j] = stiffening.gap * options.penalty;
+      pressure_penalty[j] = stiffening.jump * options.pressure_penalty;
       if (area > 0.0 && options.penalty == 0.0)
       {
          // As stiff on the whole where the source covers only a part.
-         penalty[j] = options.penalty_factor * softest_modulus / h *
-                      destination_areas[j] / area;
+         penalty[j] = stiffening.gap * options.penalty_factor *
+                      softest_modulus / h * destination_areas[j] / area;
       }
       if (area > 0.0 && options.pressure_penalty == 0.0)
       {
          pressure_penalty[j] =
-            options.penalty_factor *
+            stiffening.jump * options.penalty_factor *
             (least_permeability / h + h / (softest_modulus * time_step));
       }
    }
@@ -208,17 +276,17 @@ void ContactPair::Evaluate(const Vector &u, const Vector &p)
 {
    operators.gap->Mult(u, gap);
    operators.jump->Mult(p, jump);
-   for (int j = 0; j < gap.Size(); j++)
+   Vector destination_pressure(p.Size());
+   destination_pressure = 0.0;
+   for (const int dof : destination.PressureTrueDofs())
    {
-      gap[j] += operators.gap_offset[j];
+      destination_pressure[dof] = -p[dof];
    }
-}
-
-void ContactPair::AssumeTouching()
-{
+   operators.jump->Mult(destination_pressure, pressure);
    for (int j = 0; j < gap.Size(); j++)
    {
-      gap[j] -= gap_tolerance;
+      gap[j] += operators.gap_offset[j] +
+                (operators.area[j] > 0.0 ? removed_overlap[j] : 0.0);
    }
 }
 
@@ -229,7 +297,10 @@ bool ContactPair::UpdateActiveSet(bool keep_seals)
    {
       const real_t area = operators.area[j];
       const real_t trial = multiplier[j] + penalty[j] * gap[j];
-      const bool touches = area > 0.0 && trial < 0.0;
+      const bool touches =
+         area > 0.0 &&
+         (trial < 0.0 || (assume_touching && gap[j] < gap_tolerance) ||
+          (release_nothing && active[j] > 0.5));
       const bool seals = area > 0.0 &&
                          area > sealing_coverage * destination_areas[j] &&
                          (touches || gap[j] < gap_tolerance ||
@@ -244,6 +315,8 @@ bool ContactPair::UpdateActiveSet(bool keep_seals)
       gap_weights[j] = touches ? area * penalty[j] : 0.0;
       jump_weights[j] = seals ? area * pressure_penalty[j] : 0.0;
    }
+   assume_touching = false;
+   release_nothing = false;
    return AnyRank(changed, comm);
 }
 
@@ -299,6 +372,12 @@ bool ContactPair::Converged(real_t peak_pressure) const
 
 void ContactPair::Augment()
 {
+   TakeMultipliers();
+   release_nothing = true;
+}
+
+void ContactPair::TakeMultipliers()
+{
    for (int j = 0; j < multiplier.Size(); j++)
    {
       multiplier[j] = traction[j];
@@ -306,9 +385,43 @@ void ContactPair::Augment()
    }
 }
 
+void ContactPair::StartAugmenting()
+{
+   last_penetration = std::numeric_limits<real_t>::infinity();
+   last_jump = std::numeric_limits<real_t>::infinity();
+}
+
+void ContactPair::StiffenIfSlow(real_t peak_pressure)
+{
+   // What an augmentation should at least do (Simo & Laursen, Comput Struct
+   // 42:97-116, 1992), and how far penalties may go before round-off matters.
+   constexpr real_t slow = 0.25;
+   constexpr real_t raise = 10.0;
+   constexpr real_t most = 1e4;
+   const Diagnostics now = Diagnose();
+   const real_t jump_tolerance = options.pressure_tolerance * peak_pressure;
+   bool raised = false;
+   const auto check =
+      [&](real_t value, real_t tolerance, real_t &last, real_t &factor)
+   {
+      if (value > tolerance && value > slow * last && factor < most)
+      {
+         factor *= raise;
+         raised = true;
+      }
+      last = value;
+   };
+   check(now.penetration, gap_tolerance, last_penetration, stiffening.gap);
+   check(now.pressure_jump, jump_tolerance, last_jump, stiffening.jump);
+   if (raised)
+   {
+      SetPenalties();
+   }
+}
+
 void ContactPair::Store(real_t time)
 {
-   Augment();
+   TakeMultipliers();
    stored.time = {stored.time[1], time};
    stored.multiplier[0] = stored.multiplier[1];
    stored.multiplier[1] = multiplier;
@@ -343,6 +456,7 @@ std::array<Vector *, 10> ContactPair::WorkingVectors()
 void ContactPair::Accept()
 {
    accepted = stored;
+   accepted_stiffening = stiffening;
    const std::array<Vector *, 10> working = WorkingVectors();
    for (std::size_t i = 0; i < working.size(); i++)
    {
@@ -353,6 +467,7 @@ void ContactPair::Accept()
 void ContactPair::Restore()
 {
    stored = accepted;
+   stiffening = accepted_stiffening;
    const std::array<Vector *, 10> working = WorkingVectors();
    for (std::size_t i = 0; i < working.size(); i++)
    {
@@ -380,11 +495,35 @@ void ContactPair::Archive(StateArchive &archive)
       archive.Field("contact." + name + "." + names[i], space,
                     accepted_vectors[i]);
    }
+   archive.Number("contact." + name + ".gap_stiffening",
+                  accepted_stiffening.gap);
+   archive.Number("contact." + name + ".jump_stiffening",
+                  accepted_stiffening.jump);
    archive.Flag("contact." + name + ".reached", reached);
+   archive.Field("contact." + name + ".removed_overlap", space,
+                 removed_overlap);
    if (archive.Reads())
    {
       Restore();
    }
+}
+
+real_t ContactPair::FluidLoadSupport() const
+{
+   Point3 total{{0.0, 0.0, 0.0}};
+   Point3 fluid{{0.0, 0.0, 0.0}};
+   for (int j = 0; j < active.Size(); j++)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         total[d] += traction[j] * operators.normal_area[d][j];
+         fluid[d] -= active[j] * pressure[j] * operators.normal_area[d][j];
+      }
+   }
+   total = SumOverRanks(total, comm);
+   fluid = SumOverRanks(fluid, comm);
+   const real_t square = Dot(total, total);
+   return square > 0.0 ? Dot(fluid, total) / square : 0.0;
 }
 
 ContactPair::Diagnostics ContactPair::Diagnose() const
@@ -395,15 +534,15 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
    momentum = 0.0;
    mass = 0.0;
    AddForces(momentum, mass);
-   const Vector on_source =
-      SumOfDofs(momentum, source.DisplacementTrueDofs(), comm);
-   const Vector on_destination =
-      SumOfDofs(momentum, destination.DisplacementTrueDofs(), comm);
-   for (int d = 0; d < 3; d++)
-   {
-      result.source_force[d] = on_source[d];
-      result.destination_force[d] = on_destination[d];
-   }
+   const Array<int> &source_dofs = source.DisplacementTrueDofs();
+   const Array<int> &destination_dofs = destination.DisplacementTrueDofs();
+   result.source_force = SumOfDofs(momentum, source_dofs, comm);
+   result.destination_force = SumOfDofs(momentum, destination_dofs, comm);
+   result.source_moment =
+      SumOfMoments(momentum, searched_positions, source_dofs, comm);
+   result.destination_moment =
+      SumOfMoments(momentum, searched_positions, destination_dofs, comm);
+   result.fluid_load_support = FluidLoadSupport();
    real_t area = 0.0;
    real_t exchange = 0.0;
    for (int j = 0; j < gap.Size(); j++)

@@ -14,11 +14,24 @@ namespace synovia
 /// The configuration in which the surfaces look for each other.
 enum class SearchConfiguration
 {
-   /// The deformed one, anew in every step: for large sliding.
-   current,
    /// The undeformed one, once: the linear theory of small displacements to the
    /// letter. Contact is then linear but for its inequalities.
-   reference
+   reference,
+   /// The deformed one, anew in every step: for sliding that is not small
+   /// beside the contact. Points change partners without the geometric
+   /// stiffness that belongs to it, so that thin layers under a traction of
+   /// several times their shear modulus may buckle.
+   current
+};
+
+/// What becomes of surfaces that overlap as meshed.
+enum class InitialOverlap
+{
+   /// The first step presses the overlap out, which strains the bodies.
+   press_out,
+   /// Gaps are measured from the overlap: vertices of the destination that
+   /// overlap start as if they just touched.
+   remove
 };
 
 /// How contact is enforced. Zero means: derived from the bodies.
@@ -42,7 +55,11 @@ struct ContactOptions
    /// How far the destination looks for the source (length). Derived: the
    /// destination layer's thickness.
    mfem::real_t search_radius = 0.0;
-   SearchConfiguration configuration = SearchConfiguration::current;
+   SearchConfiguration configuration = SearchConfiguration::reference;
+   InitialOverlap initial_overlap = InitialOverlap::press_out;
+   /// A deeper one is an error (length). Derived: a tenth of the destination
+   /// layer's thickness.
+   mfem::real_t overlap_limit = 0.0;
    ContactNormal normal = ContactNormal::destination;
    /// Exactness of the quadrature on each segment, the part of a destination
    /// face that one source face covers.
@@ -82,17 +99,19 @@ public:
 
    /// Moves the surfaces to displacement @a u (true dofs), searches, and
    /// assembles the gap operators, unless they hold for good; says whether it
-   /// did. Collective. The first call throws Error if nothing is within the
-   /// search radius.
+   /// did. Collective. The first call looks at the undeformed surfaces before:
+   /// it throws Error if nothing is within the search radius, or if the
+   /// surfaces overlap too deeply.
    bool Search(const mfem::Vector &u);
    const GapOperators &Operators() const { return operators; }
 
    /// Evaluates gap and pressure jump at the given true dofs. Collective.
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p);
 
-   /// Takes points within the gap tolerance for touching, from the last
-   /// Evaluate(): a guess to start from where nothing is known of the traction.
-   void AssumeTouching();
+   /// Lets the next UpdateActiveSet() take points within the gap tolerance for
+   /// touching, and hold them: a guess to start from where nothing is known of
+   /// the traction.
+   void AssumeTouching() { assume_touching = true; }
 
    /// Decides which vertices are in contact and which of them seal the surface,
    /// from the last Evaluate(). A vertex seals where the source covers it and
@@ -122,8 +141,18 @@ public:
    /// all ranks. Collective.
    bool Converged(mfem::real_t peak_pressure) const;
 
-   /// lambda <- lambda + eta g, mu <- mu + eta_p (p_A - p_B).
+   /// lambda <- lambda + eta g, mu <- mu + eta_p (p_A - p_B). The next
+   /// UpdateActiveSet() releases nothing: a multiplier that is corrected by
+   /// more than itself would else let go of all at once.
    void Augment();
+
+   /// Before the first augmentation of a stage.
+   void StartAugmenting();
+   /// To be called with each augmentation: raises the penalty of what is out of
+   /// tolerance and has hardly become smaller since the last one. Penalties
+   /// derived from the drained stiffness are too soft where a thin layer is
+   /// loaded at once, and holds its fluid. Collective.
+   void StiffenIfSlow(mfem::real_t peak_pressure);
 
    /// Keeps the multipliers as those reached at @a time. The penalty's share of
    /// the traction goes into them.
@@ -145,6 +174,13 @@ public:
    {
       Point3 source_force{{0.0, 0.0, 0.0}};
       Point3 destination_force{{0.0, 0.0, 0.0}};
+      /// Moments of the nodal forces about the origin, with the positions that
+      /// the surfaces were searched in (force x length).
+      Point3 source_moment{{0.0, 0.0, 0.0}};
+      Point3 destination_moment{{0.0, 0.0, 0.0}};
+      /// Part of the force on the destination that its fluid pressure in the
+      /// contact area makes up; 0 without contact.
+      mfem::real_t fluid_load_support = 0.0;
       mfem::real_t area = 0.0;
       mfem::real_t penetration = 0.0;
       mfem::real_t pressure_jump = 0.0;
@@ -165,8 +201,11 @@ public:
    mfem::real_t SearchRadius() const { return gap_options.search_radius; }
 
 private:
+   void TakeMultipliers();
    void SetPenalties();
-   void VerifyReach() const;
+   void Assemble();
+   void StartFromMesh();
+   mfem::real_t FluidLoadSupport() const;
    /// What Evaluate(), UpdateActiveSet() and Augment() set.
    std::array<mfem::Vector *, 10> WorkingVectors();
 
@@ -178,12 +217,18 @@ private:
    ContactSurface destination;
    GapOptions gap_options;
    mfem::real_t gap_tolerance;
+   mfem::real_t overlap_limit;
    mfem::real_t softest_modulus;
    mfem::real_t least_permeability;
+   /// Of the displacement's nodes: as meshed, and when they were searched.
+   mfem::Vector reference_positions;
+   mfem::Vector searched_positions;
    mfem::Vector source_areas;
    mfem::Vector destination_areas;
    GapOperators operators;
    bool searched = false;
+   bool assume_touching = false;
+   bool release_nothing = false;
    mfem::real_t time_step = std::numeric_limits<mfem::real_t>::infinity();
    bool reached = false;
 
@@ -200,9 +245,24 @@ private:
    };
    Past stored;
    Past accepted;
+   /// Factors by which the penalties were raised, of gap and pressure jump.
+   struct Stiffening
+   {
+      mfem::real_t gap = 1.0;
+      mfem::real_t jump = 1.0;
+   };
+   Stiffening stiffening;
+   Stiffening accepted_stiffening;
+   /// Violations at the last augmentation.
+   mfem::real_t last_penetration = 0.0;
+   mfem::real_t last_jump = 0.0;
    std::array<mfem::Vector, 10> accepted_vectors;
+   /// What is added to the gaps, see InitialOverlap::remove.
+   mfem::Vector removed_overlap;
    mfem::Vector gap;
    mfem::Vector jump;
+   /// Of the destination, mean around its vertices.
+   mfem::Vector pressure;
    mfem::Vector traction;
    mfem::Vector flux;
    mfem::Vector active;

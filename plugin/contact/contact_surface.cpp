@@ -40,18 +40,34 @@ DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
    }
    spaces.Pressure().GetBdrElementDofs(boundary_element, p_dofs);
    spaces.Multiplier().GetBdrElementDofs(boundary_element, m_dofs);
-   nodal_displacement.SetSize(3, nodes.Size());
-   nodal_displacement = 0.0;
-   shape.SetSize(nodes.Size());
-   dshape.SetSize(nodes.Size(), 2);
+   position_element =
+      trans.GetFE()->GetOrder() > element->GetOrder() ? trans.GetFE() : element;
+   const IntegrationRule &points = position_element->GetNodes();
+   reference_nodes.SetSize(3, points.GetNPoints());
+   interpolation.SetSize(nodes.Size(), points.GetNPoints());
+   for (int i = 0; i < points.GetNPoints(); i++)
+   {
+      Vector x;
+      reference_nodes.GetColumnReference(i, x);
+      trans.Transform(points.IntPoint(i), x);
+      Vector column;
+      interpolation.GetColumnReference(i, column);
+      element->CalcShape(points.IntPoint(i), column);
+   }
+   current_nodes = reference_nodes;
+   shape.SetSize(points.GetNPoints());
+   dshape.SetSize(points.GetNPoints(), 2);
 }
 
 void DeformedFace::SetDisplacement(const Vector &u)
 {
+   DenseMatrix nodal(3, u_dofs.Size() / 3);
    for (int i = 0; i < u_dofs.Size(); i++)
    {
-      nodal_displacement(i % 3, i / 3) = u[u_dofs[i]];
+      nodal(i % 3, i / 3) = u[u_dofs[i]];
    }
+   current_nodes = reference_nodes;
+   AddMult(nodal, interpolation, current_nodes);
 }
 
 Point3 DeformedFace::ReferencePoint(const IntegrationPoint &ip) const
@@ -71,31 +87,29 @@ real_t DeformedFace::ReferenceWeight(const IntegrationPoint &ip) const
 Point3 DeformedFace::CurrentPoint(const IntegrationPoint &ip,
                                   std::array<Point3, 2> *tangents) const
 {
-   Point3 x = ReferencePoint(ip);
-   element->CalcShape(ip, shape);
-   const int nodes = nodal_displacement.Width();
+   const int nodes = current_nodes.Width();
+   position_element->CalcShape(ip, shape);
+   Point3 x{{0.0, 0.0, 0.0}};
    for (int k = 0; k < nodes; k++)
    {
       for (int d = 0; d < 3; d++)
       {
-         x[d] += shape[k] * nodal_displacement(d, k);
+         x[d] += shape[k] * current_nodes(d, k);
       }
    }
    if (tangents)
    {
-      trans.SetIntPoint(&ip);
-      const DenseMatrix &jacobian = trans.Jacobian();
-      element->CalcDShape(ip, dshape);
+      position_element->CalcDShape(ip, dshape);
       for (int a = 0; a < 2; a++)
       {
-         for (int d = 0; d < 3; d++)
+         Point3 &tangent = (*tangents)[a];
+         tangent = {0.0, 0.0, 0.0};
+         for (int k = 0; k < nodes; k++)
          {
-            real_t value = jacobian(d, a);
-            for (int k = 0; k < nodes; k++)
+            for (int d = 0; d < 3; d++)
             {
-               value += dshape(k, a) * nodal_displacement(d, k);
+               tangent[d] += dshape(k, a) * current_nodes(d, k);
             }
-            (*tangents)[a][d] = value;
          }
       }
    }

@@ -9,7 +9,8 @@ namespace synovia
 {
 
 /// A boundary face of this rank with the displacement of its nodes: the current
-/// position of its points is X(xi) + sum_k N_k(xi) u_k.
+/// position of its points is X(xi) + sum_k N_k(xi) u_k, kept as one polynomial
+/// of the higher of the two orders.
 class DeformedFace
 {
 public:
@@ -46,12 +47,16 @@ public:
 private:
    mfem::Geometry::Type geometry;
    const mfem::FiniteElement *element;
+   const mfem::FiniteElement *position_element;
    // MFEM's transformations keep the last point that they were asked about.
    mutable mfem::IsoparametricTransformation trans;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    mfem::Array<int> m_dofs;
-   mfem::DenseMatrix nodal_displacement;
+   mfem::DenseMatrix reference_nodes;
+   mfem::DenseMatrix current_nodes;
+   // Displacement dofs x nodes: shape functions of the former at the latter.
+   mfem::DenseMatrix interpolation;
    mutable mfem::Vector shape;
    mutable mfem::DenseMatrix dshape;
 };

@@ -94,8 +94,9 @@ std::vector<SearchQuery> MakeQueries(const ContactSurface &destination,
       const DeformedFace &face = destination.Faces()[i];
       for (const SegmentPoint &point : segments[i])
       {
-         queries.push_back(
-            {face.CurrentPoint(point.ip), face.ReferenceNormal(point.ip)});
+         queries.push_back({face.CurrentPoint(point.ip),
+                            face.ReferenceNormal(point.ip), point.rank,
+                            point.face});
       }
    }
    return queries;
@@ -133,6 +134,11 @@ public:
       area = 0.0;
       offset = 0.0;
       face_size = 0.0;
+      for (Vector &component : normal_area)
+      {
+         component.SetSize(area.Size());
+         component = 0.0;
+      }
    }
 
    void AddFace(const DeformedFace &face,
@@ -156,6 +162,7 @@ private:
    Vector area;
    Vector offset;
    Vector face_size;
+   std::array<Vector, 3> normal_area;
    Vector phi;
    Vector u_shape;
    Vector p_shape;
@@ -248,6 +255,11 @@ void GapAssembler::AddFace(
       {
          weights[j] += weight * phi[j];
          offset[face.MultiplierDofs()[j]] += weight * phi[j] * reference_gap;
+         for (int d = 0; d < 3; d++)
+         {
+            normal_area[d][face.MultiplierDofs()[j]] +=
+               weight * phi[j] * normal[d];
+         }
       }
       hit_area += weight;
    }
@@ -280,6 +292,10 @@ GapOperators GapAssembler::Finish()
    operators.area = SumShared(m, area);
    operators.gap_offset = SumShared(m, offset);
    operators.face_size = SumShared(m, face_size);
+   for (int d = 0; d < 3; d++)
+   {
+      operators.normal_area[d] = SumShared(m, normal_area[d]);
+   }
    // A vertex that only grazes the source has no say.
    real_t largest = operators.area.Size() > 0 ? operators.area.Max() : 0.0;
    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPITypeMap<real_t>::mpi_type,

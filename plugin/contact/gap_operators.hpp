@@ -2,6 +2,7 @@
 
 #include "contact/contact_surface.hpp"
 
+#include <array>
 #include <memory>
 
 namespace synovia
@@ -65,6 +66,8 @@ struct GapOperators
    mfem::Vector gap_offset;
    /// a_j (area).
    mfem::Vector area;
+   /// int phi_j n, by component (area).
+   std::array<mfem::Vector, 3> normal_area;
    /// Mean size of the destination faces around a vertex (length).
    mfem::Vector face_size;
 };

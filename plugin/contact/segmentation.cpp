@@ -26,6 +26,8 @@ struct Facet
    int corners = 0;
    std::array<Point3, most_corners> points;
    real_t size = 0.0;
+   int rank = -1;
+   int face = -1;
 
    Box GetBox() const
    {
@@ -72,14 +74,53 @@ Facet Outline(const DeformedFace &face)
    return facet;
 }
 
-Box Around(const ContactSurface &surface)
+/// A box around what is within @a radius of a face along its normals.
+Box Swept(const DeformedFace &face, real_t radius)
+{
+   Box box;
+   const IntegrationRule &vertices =
+      *Geometries.GetVertices(face.GetGeometry());
+   for (int i = 0; i < vertices.GetNPoints(); i++)
+   {
+      const IntegrationPoint &ip = vertices.IntPoint(i);
+      const Point3 x = face.CurrentPoint(ip);
+      const Point3 normal = face.CurrentNormal(ip);
+      box.Add(Sum(x, radius, normal));
+      box.Add(Sum(x, -radius, normal));
+   }
+   box.Add(face.CurrentBox());
+   return box;
+}
+
+Box Swept(const ContactSurface &surface, real_t radius)
 {
    Box box;
    for (const DeformedFace &face : surface.Faces())
    {
-      box.Add(face.CurrentBox());
+      box.Add(Swept(face, radius));
    }
    return box;
+}
+
+/// Forgets which faces the points belong to if there are more of them than the
+/// face has room for.
+void ForgetIfOverlapping(Geometry::Type geometry,
+                         std::vector<SegmentPoint> &points)
+{
+   constexpr real_t round_off = 1e-6;
+   real_t covered = 0.0;
+   for (const SegmentPoint &point : points)
+   {
+      covered += point.ip.weight;
+   }
+   if (covered > (1.0 + round_off) * Geometry::Volume[geometry])
+   {
+      for (SegmentPoint &point : points)
+      {
+         point.rank = -1;
+         point.face = -1;
+      }
+   }
 }
 
 /// The source faces that come near this rank's part of the destination.
@@ -89,19 +130,19 @@ std::vector<Facet> FacetsNearby(const ContactSurface &source,
 {
    MPI_Comm comm = source.Spaces().GetComm();
    int ranks = 1;
+   int rank = 0;
    MPI_Comm_size(comm, &ranks);
-   Box mine = Around(destination);
-   if (!mine.Empty())
-   {
-      mine.Inflate(radius);
-   }
+   MPI_Comm_rank(comm, &rank);
+   const Box mine = Swept(destination, radius);
    std::vector<Box> boxes(ranks);
    MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, boxes.data(), sizeof(Box),
                  MPI_BYTE, comm);
    std::vector<std::vector<Facet>> outgoing(ranks);
-   for (const DeformedFace &face : source.Faces())
+   for (std::size_t i = 0; i < source.Faces().size(); i++)
    {
-      const Facet facet = Outline(face);
+      Facet facet = Outline(source.Faces()[i]);
+      facet.rank = rank;
+      facet.face = static_cast<int>(i);
       const Box box = facet.GetBox();
       for (int r = 0; r < ranks; r++)
       {
@@ -246,7 +287,7 @@ void AppendSegment(const DeformedFace &face, const Projection &projection,
    const DistancePlane plane(image, distances);
    for (const IntegrationPoint &ip : rule)
    {
-      points.push_back({ip, plane(ip), facet.size});
+      points.push_back({ip, plane(ip), facet.size, facet.rank, facet.face});
    }
 }
 } // namespace
@@ -269,13 +310,12 @@ SegmentSurface(const ContactSurface &source, const ContactSurface &destination,
    {
       segments.emplace_back();
       const Projection projection(face);
-      Box box = face.CurrentBox();
-      box.Inflate(radius);
-      tree.VisitBox(box,
+      tree.VisitBox(Swept(face, radius),
                     [&](int i) {
                        AppendSegment(face, projection, facets[i], order,
                                      segments.back());
                     });
+      ForgetIfOverlapping(face.GetGeometry(), segments.back());
    }
    return segments;
 }

@@ -17,6 +17,10 @@ struct SegmentPoint
    mfem::real_t distance = 0.0;
    /// Size of that source face (length).
    mfem::real_t size = 0.0;
+   /// Which face it is, as in SearchHit; -1 where segments overlap, so that
+   /// only a search can tell.
+   int rank = -1;
+   int face = -1;
 };
 
 /// Quadrature points on each of the @a destination's faces that follow the

@@ -96,56 +96,60 @@ SurfaceSearch::SurfaceSearch(const ContactSurface &surface_, real_t radius_)
                  MPI_BYTE, comm);
 }
 
+SearchHit SurfaceSearch::HitFace(const SearchQuery &query, int index) const
+{
+   SearchHit hit;
+   const DeformedFace &face = surface.Faces()[index];
+   IntegrationPoint ip;
+   real_t distance;
+   if (IntersectFace(face, query, ip, distance) &&
+       Inside(face.GetGeometry(), ip) && std::abs(distance) <= radius &&
+       Dot(face.CurrentNormal(ip), query.normal) <= facing_cosine)
+   {
+      hit.rank = rank;
+      hit.face = index;
+      hit.xi = ip.x;
+      hit.eta = ip.y;
+      hit.distance = distance;
+   }
+   return hit;
+}
+
 SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
 {
    SearchHit best;
-   best.distance = radius;
-   const Point3 a = Sum(query.point, -radius, query.normal);
-   const Point3 b = Sum(query.point, radius, query.normal);
-   tree.VisitSegment(a, b,
-                     [&](int i)
-                     {
-                        const DeformedFace &face = surface.Faces()[i];
-                        IntegrationPoint ip;
-                        real_t distance;
-                        if (!IntersectFace(face, query, ip, distance) ||
-                            !Inside(face.GetGeometry(), ip) ||
-                            std::abs(distance) > std::abs(best.distance))
-                        {
-                           return;
-                        }
-                        if (Dot(face.CurrentNormal(ip), query.normal) >
-                            facing_cosine)
-                        {
-                           return;
-                        }
-                        best.rank = rank;
-                        best.face = i;
-                        best.xi = ip.x;
-                        best.eta = ip.y;
-                        best.distance = distance;
-                        best.reference = face.ReferencePoint(ip);
-                        best.normal = face.ReferenceNormal(ip);
-                     });
+   if (query.rank == rank && query.face >= 0)
+   {
+      best = HitFace(query, query.face);
+   }
+   if (!best.Found())
+   {
+      tree.VisitSegment(Sum(query.point, -radius, query.normal),
+                        Sum(query.point, radius, query.normal),
+                        [&](int i) { best.TakeNearer(HitFace(query, i)); });
+   }
+   if (best.Found())
+   {
+      const DeformedFace &face = surface.Faces()[best.face];
+      IntegrationPoint ip;
+      ip.Set2(best.xi, best.eta);
+      best.reference = face.ReferencePoint(ip);
+      best.normal = face.ReferenceNormal(ip);
+   }
    return best;
 }
 
 std::vector<SearchHit>
-SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
+SurfaceSearch::AskRanks(const std::vector<SearchQuery> &queries,
+                        const std::vector<std::vector<int>> &asked) const
 {
    std::vector<std::vector<SearchQuery>> outgoing(size);
-   std::vector<std::vector<int>> sent(size);
-   for (size_t q = 0; q < queries.size(); q++)
+   for (int r = 0; r < size; r++)
    {
-      const Point3 a = Sum(queries[q].point, -radius, queries[q].normal);
-      const Point3 b = Sum(queries[q].point, radius, queries[q].normal);
-      for (int r = 0; r < size; r++)
+      outgoing[r].reserve(asked[r].size());
+      for (const int q : asked[r])
       {
-         if (!rank_boxes[r].Empty() && rank_boxes[r].MeetsSegment(a, b))
-         {
-            outgoing[r].push_back(queries[q]);
-            sent[r].push_back(static_cast<int>(q));
-         }
+         outgoing[r].push_back(queries[q]);
       }
    }
    const auto incoming = Exchange(outgoing, comm);
@@ -164,14 +168,47 @@ SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
    {
       for (size_t i = 0; i < returned[r].size(); i++)
       {
-         const SearchHit &hit = returned[r][i];
-         SearchHit &best = hits[sent[r][i]];
-         if (hit.Found() && (!best.Found() ||
-                             std::abs(hit.distance) < std::abs(best.distance)))
+         hits[asked[r][i]].TakeNearer(returned[r][i]);
+      }
+   }
+   return hits;
+}
+
+std::vector<SearchHit>
+SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
+{
+   std::vector<std::vector<int>> named(size);
+   for (size_t q = 0; q < queries.size(); q++)
+   {
+      if (queries[q].face >= 0)
+      {
+         named[queries[q].rank].push_back(static_cast<int>(q));
+      }
+   }
+   std::vector<SearchHit> hits = AskRanks(queries, named);
+   std::vector<std::vector<int>> others(size);
+   for (size_t q = 0; q < queries.size(); q++)
+   {
+      if (hits[q].Found())
+      {
+         continue;
+      }
+      const Point3 a = Sum(queries[q].point, -radius, queries[q].normal);
+      const Point3 b = Sum(queries[q].point, radius, queries[q].normal);
+      for (int r = 0; r < size; r++)
+      {
+         const bool tried = queries[q].face >= 0 && queries[q].rank == r;
+         if (!tried && !rank_boxes[r].Empty() &&
+             rank_boxes[r].MeetsSegment(a, b))
          {
-            best = hit;
+            others[r].push_back(static_cast<int>(q));
          }
       }
+   }
+   const std::vector<SearchHit> found = AskRanks(queries, others);
+   for (size_t q = 0; q < queries.size(); q++)
+   {
+      hits[q].TakeNearer(found[q]);
    }
    return hits;
 }

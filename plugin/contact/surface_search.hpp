@@ -2,6 +2,7 @@
 
 #include "contact/contact_surface.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace synovia
@@ -12,6 +13,9 @@ struct SearchQuery
 {
    Point3 point;
    Point3 normal;
+   /// The face to try first, as in SearchHit; if it is hit, no other is tried.
+   int rank = -1;
+   int face = -1;
 };
 
 /// What a query found.
@@ -32,6 +36,15 @@ struct SearchHit
    Point3 normal{{0.0, 0.0, 0.0}};
 
    bool Found() const { return rank >= 0; }
+   /// Becomes @a other if that was found, and nearer than this.
+   void TakeNearer(const SearchHit &other)
+   {
+      if (other.Found() &&
+          (!Found() || std::abs(other.distance) < std::abs(distance)))
+      {
+         *this = other;
+      }
+   }
 };
 
 /// Degrees of freedom of a face, on whichever rank it lives.
@@ -48,7 +61,8 @@ struct FaceDofs
 ///
 /// A face counts as hit where it turns towards the query (its normal against
 /// the query's) and is within the radius, on either side; the nearest hit is
-/// taken. Ranks send their queries to those ranks only whose boxes they meet.
+/// taken, unless the query names a face. Ranks send their queries to those
+/// ranks only whose boxes they meet.
 class SurfaceSearch
 {
 public:
@@ -65,6 +79,11 @@ public:
 
 private:
    SearchHit FindLocal(const SearchQuery &query) const;
+   SearchHit HitFace(const SearchQuery &query, int face) const;
+   /// Sends each rank the queries that are listed for it; nearest hits.
+   std::vector<SearchHit>
+   AskRanks(const std::vector<SearchQuery> &queries,
+            const std::vector<std::vector<int>> &asked) const;
    FaceDofs LocalFaceDofs(int face) const;
 
    const ContactSurface &surface;

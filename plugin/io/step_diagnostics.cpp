@@ -28,6 +28,10 @@ void AddContact(History::Row &row, const ContactPair &pair)
    AddPoint(row, prefix + "force_", now.destination_force);
    AddPoint(row, prefix + "source_force_", now.source_force);
    row.emplace_back(prefix + "force_error", std::sqrt(Dot(sum, sum)));
+   const Point3 moment = Sum(now.source_moment, 1.0, now.destination_moment);
+   AddPoint(row, prefix + "moment_", now.destination_moment);
+   row.emplace_back(prefix + "moment_error", std::sqrt(Dot(moment, moment)));
+   row.emplace_back(prefix + "fluid_load_support", now.fluid_load_support);
    row.emplace_back(prefix + "area", now.area);
    row.emplace_back(prefix + "penetration", now.penetration);
    row.emplace_back(prefix + "pressure_jump", now.pressure_jump);
@@ -51,6 +55,11 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    {
       AddPoint(row, "spring." + problem.SpringNames()[i] + ".",
                problem.Conditions().Springs()[i].Force(displacement));
+   }
+   for (const RigidSurfaces::Travel &travel :
+        op.Rigid().GetTravel(displacement))
+   {
+      row.emplace_back("travel." + travel.name, travel.distance);
    }
    for (const ContactPair *pair : op.Pairs())
    {

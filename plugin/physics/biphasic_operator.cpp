@@ -43,8 +43,9 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
    : TimeDependentOperator(spaces_.Offsets().Last(), 0.0, IMPLICIT),
      spaces(spaces_), conditions(conditions_), pairs(std::move(pairs_)),
      const_pairs(pairs.begin(), pairs.end()), options(options_),
-     matrices(AssembleTimed(times.assembly, spaces, materials)), rate(height),
-     support(spaces.Offsets()[1])
+     matrices(AssembleTimed(times.assembly, spaces, materials)),
+     rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
+     rate(height), support(spaces.Offsets()[1])
 {
    const PhaseTimer timer(times.assembly);
    rate = 0.0;
@@ -55,9 +56,17 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
          Add(1.0, *matrices.stiffness, 1.0, springs.Matrix()));
    }
    jacobian = std::make_unique<BiphasicJacobian>(
-      matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs);
+      matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs,
+      rigid.Any() ? &rigid : nullptr);
    linear =
       std::make_unique<BiphasicLinearSolver>(*jacobian, spaces, options.linear);
+   if (rigid.Any())
+   {
+      Vector low;
+      Vector high;
+      spaces.GetMesh().GetBoundingBox(low, high);
+      extent = high.DistanceTo(low);
+   }
    for (const ContactPair *pair : pairs)
    {
       contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
@@ -178,6 +187,7 @@ void BiphasicOperator::Search(const Stage &stage)
    }
    if (moved)
    {
+      jacobian->ContactMoved();
       linear->ContactMoved();
       report.searches++;
    }
@@ -279,6 +289,8 @@ void BiphasicOperator::ComputeResidual(const Stage &stage,
    ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
    residual.GetBlock(0).Neg();
    residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
+   rigid.Collect(residual.GetBlock(0));
+   rigid.AddForces(stage.time, residual.GetBlock(0));
    residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
 }
 
@@ -375,6 +387,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    Search(stage);
    for (ContactPair *pair : pairs)
    {
+      pair->StartAugmenting();
       pair->Predict(stage.time);
       pair->Evaluate(stage.u, stage.p);
       if (!started)
@@ -420,6 +433,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       for (ContactPair *pair : pairs)
       {
          pair->Augment();
+         pair->StiffenIfSlow(peak);
       }
       UpdateContact(stage, false);
       report.augmentations++;
@@ -463,6 +477,11 @@ bool BiphasicOperator::SolveContact(Stage &stage,
          report.newton++;
          report.linear += result.iterations;
          report.most_linear = std::max(report.most_linear, result.iterations);
+         rigid.Distribute(step.GetBlock(0));
+         if (Escapes(step.GetBlock(0)))
+         {
+            return false;
+         }
          if (!result.converged)
          {
             return Fail("the linear solver did not converge in " +
@@ -479,6 +498,25 @@ bool BiphasicOperator::SolveContact(Stage &stage,
                   : "the contact's active set did not settle in " +
                        std::to_string(options.max_newton) +
                        " iterations: " + unsettled);
+}
+
+bool BiphasicOperator::Escapes(const Vector &step)
+{
+   // Where little touches yet, a first guess may go far; without resistance
+   // only round-off is left to resist.
+   constexpr real_t away = 1e6;
+   for (const RigidSurfaces::Travel &travel : rigid.GetTravel(step))
+   {
+      if (!(std::abs(travel.distance) <= away * extent))
+      {
+         Fail("nothing resists the force on \"" + travel.name +
+              "\": it would move by " + ToText(travel.distance) +
+              "; its body must be held along the force by another support, by "
+              "springs, or by contact that touches from the start");
+         return true;
+      }
+   }
+   return false;
 }
 
 void BiphasicOperator::RecordBalance(const Stage &stage)

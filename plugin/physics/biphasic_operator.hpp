@@ -87,6 +87,7 @@ public:
    BoundaryConditions &Conditions() { return conditions; }
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
    const VolumeMatrices &Volume() const { return matrices; }
+   const RigidSurfaces &Rigid() const { return rigid; }
    const BiphasicLinearSolver &LinearSolver() const { return *linear; }
 
    /// Forces that hold the last stage in balance: at prescribed dofs the force
@@ -129,6 +130,8 @@ private:
    void ComputeResidual(const Stage &stage, mfem::BlockVector &residual) const;
    ResidualTolerance Tolerance(const Stage &stage) const;
    bool Fail(const std::string &reason);
+   /// Whether a surface that a force moves would leave; fails if so.
+   bool Escapes(const mfem::Vector &step);
    void RecordBalance(const Stage &stage);
 
    BiphasicSpaces &spaces;
@@ -138,6 +141,9 @@ private:
    NonlinearOptions options;
    PhaseTimes times;
    VolumeMatrices matrices;
+   RigidSurfaces rigid;
+   /// Size of the mesh (length), where surfaces are driven.
+   mfem::real_t extent = 0.0;
    std::unique_ptr<BiphasicJacobian> jacobian;
    std::unique_ptr<BiphasicLinearSolver> linear;
    /// From vertices to pressure dofs, where these are not the vertices.

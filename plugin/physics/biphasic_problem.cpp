@@ -1,6 +1,8 @@
 #include "physics/biphasic_problem.hpp"
 #include "general/error.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -91,15 +93,24 @@ void BiphasicProblem::AddSprings(const std::vector<std::string> &boundaries,
                                  real_t stiffness, const Vector &direction)
 {
    VerifyOpen();
-   Array<int> attributes;
+   conditions->AddSprings(Boundaries(boundaries), stiffness, direction);
+   spring_names.push_back(boundaries.front());
+}
+
+void BiphasicProblem::DriveByForce(const std::vector<std::string> &boundaries,
+                                   const Vector &direction,
+                                   const LoadCurve &force)
+{
+   VerifyOpen();
+   conditions->DriveByForce(Boundaries(boundaries), direction, force,
+                            boundaries.front());
    for (const std::string &boundary : boundaries)
    {
-      attributes.Append(mesh.Boundary(boundary));
+      for (int d = 0; d < 3; d++)
+      {
+         SupportOf(boundary).components[d] |= direction[d] != 0.0;
+      }
    }
-   attributes.Sort();
-   attributes.Unique();
-   conditions->AddSprings(attributes, stiffness, direction);
-   spring_names.push_back(boundaries.front());
 }
 
 void BiphasicProblem::AddContact(const std::string &source,

@@ -54,6 +54,11 @@ public:
    void AddSprings(const std::vector<std::string> &boundaries,
                    mfem::real_t stiffness,
                    const mfem::Vector &direction = mfem::Vector());
+   /// Moves boundaries, together one rigid surface, along @a direction by the
+   /// resultant @a force (force). Components that are zero in @a direction are
+   /// free unless they are prescribed.
+   void DriveByForce(const std::vector<std::string> &boundaries,
+                     const mfem::Vector &direction, const LoadCurve &force);
    /// Outward relative flux (length / time).
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
 
@@ -79,7 +84,8 @@ public:
    /// Assembled at the first call. Throws Error if a region has no material.
    BiphasicOperator &Operator();
 
-   /// Boundaries with prescribed displacements, and which components are.
+   /// Boundaries with prescribed or driven displacements, and which components
+   /// are.
    struct Support
    {
       std::string boundary;

@@ -1,4 +1,5 @@
 #include "physics/boundary_conditions.hpp"
+#include "general/error.hpp"
 
 #include <algorithm>
 
@@ -120,6 +121,22 @@ void BoundaryConditions::AddSprings(const Array<int> &boundary,
                                     real_t stiffness, const Vector &direction)
 {
    springs.emplace_back(spaces, boundary, stiffness, direction);
+}
+
+void BoundaryConditions::DriveByForce(const Array<int> &boundary,
+                                      const Vector &direction,
+                                      const LoadCurve &force,
+                                      const std::string &name)
+{
+   Vector unit(direction);
+   const real_t length = unit.Norml2();
+   if (unit.Size() != 3 || !(length > 0.0))
+   {
+      throw Error("the direction of a force is zero; give a vector");
+   }
+   unit /= length;
+   driven.push_back({name, boundary, {{unit[0], unit[1], unit[2]}}, force});
+   AddCorners(force);
 }
 
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,

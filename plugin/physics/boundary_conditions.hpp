@@ -2,6 +2,7 @@
 
 #include "general/load_curve.hpp"
 #include "physics/biphasic_spaces.hpp"
+#include "physics/rigid_surfaces.hpp"
 #include "physics/spring_foundation.hpp"
 
 #include <memory>
@@ -47,6 +48,14 @@ public:
    void AddSprings(const mfem::Array<int> &boundary, mfem::real_t stiffness,
                    const mfem::Vector &direction = mfem::Vector());
 
+   /// Moves a boundary rigidly along @a direction, of any length but zero, by
+   /// the resultant @a force (force) in that direction, as RigidSurfaces has
+   /// it.
+   /// @a name is for messages.
+   void DriveByForce(const mfem::Array<int> &boundary,
+                     const mfem::Vector &direction, const LoadCurve &force,
+                     const std::string &name = "");
+
    /// Outward relative flux -kappa grad p . n (length / time).
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
    void AddNormalFlux(const mfem::Array<int> &boundary,
@@ -69,6 +78,8 @@ public:
    void GetLoads(mfem::real_t t, mfem::Vector &momentum, mfem::Vector &mass);
 
    const std::vector<SpringFoundation> &Springs() const { return springs; }
+
+   const std::vector<DrivenSurface> &DrivenSurfaces() const { return driven; }
 
    /// Where load curves have corners, ascending, each once.
    const std::vector<mfem::real_t> &Corners() const { return corners; }
@@ -121,6 +132,7 @@ private:
    std::vector<CurveLoad> momentum_loads;
    std::vector<CurveLoad> mass_loads;
    std::vector<SpringFoundation> springs;
+   std::vector<DrivenSurface> driven;
    FieldLoad momentum_form;
    FieldLoad mass_form;
    std::vector<mfem::real_t> corners;

@@ -16,17 +16,17 @@ struct VolumeMatrices
    VolumeMatrices(BiphasicSpaces &spaces, const MaterialTable &materials);
 
    /// (C eps(u), eps(w)), displacement x displacement.
-   std::unique_ptr<mfem::HypreParMatrix> stiffness;
+   std::shared_ptr<mfem::HypreParMatrix> stiffness;
    /// (div u, q), pressure x displacement, and its transpose.
-   std::unique_ptr<mfem::HypreParMatrix> divergence;
-   std::unique_ptr<mfem::HypreParMatrix> divergence_transpose;
+   std::shared_ptr<mfem::HypreParMatrix> divergence;
+   std::shared_ptr<mfem::HypreParMatrix> divergence_transpose;
    /// (kappa grad p, grad q), pressure x pressure.
-   std::unique_ptr<mfem::HypreParMatrix> darcy;
+   std::shared_ptr<mfem::HypreParMatrix> darcy;
    /// Pressure-projection stabilisation for dp/dt; null where it isn't needed.
-   std::unique_ptr<mfem::HypreParMatrix> stabilisation;
+   std::shared_ptr<mfem::HypreParMatrix> stabilisation;
    /// (p / H_A, q): what the solid adds to the Schur complement of the
    /// pressure.
-   std::unique_ptr<mfem::HypreParMatrix> compliance;
+   std::shared_ptr<mfem::HypreParMatrix> compliance;
 };
 
 } // namespace synovia

@@ -18,10 +18,32 @@ std::unique_ptr<HypreParMatrix> WeightedSquare(const HypreParMatrix &factor,
 BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
                                    const Array<int> &offsets_,
                                    const Array<int> &u_dofs_,
-                                   const ContactPairs &pairs_)
-   : Operator(offsets_.Last()), matrices(matrices_), offsets(offsets_),
-     u_dofs(u_dofs_), pairs(pairs_)
+                                   const ContactPairs &pairs_,
+                                   const RigidSurfaces *rigid_)
+   : Operator(offsets_.Last()),
+     reduced(rigid_
+                ? std::make_unique<VolumeMatrices>(rigid_->Reduce(matrices_))
+                : nullptr),
+     matrices(reduced ? *reduced : matrices_), offsets(offsets_),
+     u_dofs(u_dofs_), pairs(pairs_), rigid(rigid_)
 {
+   if (rigid)
+   {
+      u_dofs.Append(rigid->Idle());
+      u_dofs.Sort();
+   }
+}
+
+void BiphasicJacobian::ContactMoved()
+{
+   reduced_gaps.clear();
+   if (rigid)
+   {
+      for (const ContactPair *pair : pairs)
+      {
+         reduced_gaps.push_back(rigid->Reduce(*pair->Operators().gap));
+      }
+   }
 }
 
 void BiphasicJacobian::AddContact(const HypreParMatrix &factor,
@@ -41,9 +63,9 @@ void BiphasicJacobian::MultDisplacement(const Vector &x, Vector &y) const
    u_free = x;
    u_free.SetSubVector(u_dofs, 0.0);
    matrices.stiffness->Mult(u_free, y);
-   for (const ContactPair *pair : pairs)
+   for (size_t i = 0; i < pairs.size(); i++)
    {
-      AddContact(*pair->Operators().gap, pair->GapWeights(), 1.0, u_free, y);
+      AddContact(Gap(i), pairs[i]->GapWeights(), 1.0, u_free, y);
    }
    for (const int dof : u_dofs)
    {
@@ -128,10 +150,9 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::SchurComplement() const
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::Assemble() const
 {
    auto stiffness = std::make_unique<HypreParMatrix>(*matrices.stiffness);
-   for (const ContactPair *pair : pairs)
+   for (size_t i = 0; i < pairs.size(); i++)
    {
-      const auto contact =
-         WeightedSquare(*pair->Operators().gap, pair->GapWeights());
+      const auto contact = WeightedSquare(Gap(i), pairs[i]->GapWeights());
       stiffness.reset(Add(1.0, *stiffness, 1.0, *contact));
    }
    stiffness->EliminateBC(u_dofs, DIAG_ONE);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/contact_pair.hpp"
-#include "physics/volume_matrices.hpp"
+#include "physics/rigid_surfaces.hpp"
 
 #include <vector>
 
@@ -11,7 +11,8 @@ namespace synovia
 /// Contact pairs of a problem; borrowed.
 using ContactPairs = std::vector<const ContactPair *>;
 
-/// The linearised equations of one stage, for (displacement, pressure):
+/// The linearised equations of one stage, for (displacement, pressure), the
+/// former reduced by RigidSurfaces where there are any:
 ///
 ///     [ K + G^T W G       -B^T                      ]
 ///     [    -B       -(dt L + S + dt J^T W_p J)      ]
@@ -22,10 +23,15 @@ using ContactPairs = std::vector<const ContactPair *>;
 class BiphasicJacobian : public mfem::Operator
 {
 public:
-   /// Borrows all arguments. @a u_dofs are the prescribed true dofs.
+   /// Borrows all arguments but @a u_dofs, the prescribed true dofs. The idle
+   /// dofs of @a rigid, null where nothing is driven, count as prescribed.
    BiphasicJacobian(const VolumeMatrices &matrices,
                     const mfem::Array<int> &offsets,
-                    const mfem::Array<int> &u_dofs, const ContactPairs &pairs);
+                    const mfem::Array<int> &u_dofs, const ContactPairs &pairs,
+                    const RigidSurfaces *rigid = nullptr);
+
+   /// Surfaces were searched anew: gap and jump have other entries. Collective.
+   void ContactMoved();
 
    void SetTimeStep(mfem::real_t dt_) { dt = dt_; }
    mfem::real_t TimeStep() const { return dt; }
@@ -50,6 +56,12 @@ public:
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
    const ContactPairs &Pairs() const { return pairs; }
+   /// Gap operator G of a pair, for reduced displacements.
+   const mfem::HypreParMatrix &Gap(std::size_t pair) const
+   {
+      return reduced_gaps.empty() ? *pairs[pair]->Operators().gap
+                                  : *reduced_gaps[pair];
+   }
    const VolumeMatrices &Volume() const { return matrices; }
 
 private:
@@ -61,10 +73,13 @@ private:
                    const mfem::Vector &weights, mfem::real_t scale,
                    const mfem::Vector &x, mfem::Vector &y) const;
 
+   std::unique_ptr<VolumeMatrices> reduced;
    const VolumeMatrices &matrices;
    const mfem::Array<int> &offsets;
-   const mfem::Array<int> &u_dofs;
+   mfem::Array<int> u_dofs;
    const ContactPairs &pairs;
+   const RigidSurfaces *rigid;
+   std::vector<std::unique_ptr<mfem::HypreParMatrix>> reduced_gaps;
    mfem::Array<int> p_dofs;
    mfem::real_t dt = 1.0;
    mutable mfem::Vector u_free;

@@ -45,17 +45,24 @@ bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
    return AnyRank(changed, comm);
 }
 
-using GetFactor = std::unique_ptr<HypreParMatrix> GapOperators::*;
-
-std::vector<const HypreParMatrix *> Factors(const ContactPairs &pairs,
-                                            GetFactor factor)
+std::vector<const HypreParMatrix *> Gaps(const BiphasicJacobian &jacobian)
 {
-   std::vector<const HypreParMatrix *> factors;
-   for (const ContactPair *pair : pairs)
+   std::vector<const HypreParMatrix *> gaps;
+   for (size_t i = 0; i < jacobian.Pairs().size(); i++)
    {
-      factors.push_back((pair->Operators().*factor).get());
+      gaps.push_back(&jacobian.Gap(i));
    }
-   return factors;
+   return gaps;
+}
+
+std::vector<const HypreParMatrix *> Jumps(const BiphasicJacobian &jacobian)
+{
+   std::vector<const HypreParMatrix *> jumps;
+   for (const ContactPair *pair : jacobian.Pairs())
+   {
+      jumps.push_back(pair->Operators().jump.get());
+   }
+   return jumps;
 }
 
 std::unique_ptr<HypreParMatrix> FreeStiffness(const BiphasicJacobian &jacobian)
@@ -115,7 +122,7 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
 {
    if (moved)
    {
-      displacement.SetFactors(Factors(jacobian.Pairs(), &GapOperators::gap));
+      displacement.SetFactors(Gaps(jacobian));
    }
    if (moved || gaps_changed)
    {
@@ -141,7 +148,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
    }
    if (moved || other_matrix)
    {
-      pressure->SetFactors(Factors(jacobian.Pairs(), &GapOperators::jump));
+      pressure->SetFactors(Jumps(jacobian));
    }
    if (moved || other_matrix || jumps_changed)
    {

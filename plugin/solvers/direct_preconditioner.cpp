@@ -2,6 +2,7 @@
 #include "solvers/direct_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
@@ -12,6 +13,8 @@ namespace
 {
 // Steps within this factor of the one factorised for still share its factors.
 constexpr real_t like_step = 1.2;
+// A weight that differs by more than this part is another one.
+constexpr real_t other = 0.5;
 } // namespace
 
 DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
@@ -28,7 +31,7 @@ int DirectPreconditioner::ChangedRows() const
       int count = 0;
       for (int i = 0; i < a.Size(); i++)
       {
-         count += (a[i] != 0.0) != (b[i] != 0.0);
+         count += std::abs(a[i] - b[i]) > other * std::max(a[i], b[i]);
       }
       return count;
    };
