@@ -21,14 +21,14 @@ def star_plane(outline: np.ndarray, size: float) -> QuadMesh:
     angle = np.arctan2(scaled[:, 1], scaled[:, 0])
     order = np.argsort(angle)
     across = 2 * float(np.sqrt(half[0] * half[1])) / size
-    core = max(3, round(0.5 * across))
-    rings = max(2, round(0.23 * across))
+    core = max(3, round(0.53 * across))
+    rings = max(2, round(0.2 * across))
     mesh = disc(core, rings)
     points = mesh.points
     radius = np.interp(np.arctan2(points[:, 1], points[:, 0]), angle[order],
                        np.hypot(*scaled[order].T), period=2 * np.pi)
     mesh.points = centre + half * points * radius[:, None]
-    return relax(mesh)
+    return relax(mesh, 10)
 
 
 @dataclass

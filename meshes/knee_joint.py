@@ -121,8 +121,8 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     for side, name in MENISCUS.items():
         body = anatomy.menisci[side]
         fitted = Fitted(body, Cover(anatomy.tibia[side], tibial[side], False),
-                        roof, lift)
-        mesh = meniscus_wedge.plane(fitted, args.inner_edge, REACH,
+                        roof, lift, REACH)
+        mesh = meniscus_wedge.plane(fitted, args.inner_edge,
                                     MENISCAL_SIZE * size)
         columns = meniscus_wedge.columns(
             fitted, mesh, max(3, round(MENISCAL_LAYERS / size)))

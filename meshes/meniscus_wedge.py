@@ -11,15 +11,19 @@ from scipy.spatial import cKDTree
 
 from cartilage_layer import Layer
 from quad_plane import QuadMesh, join, patch, relax, resample
+from smooth_height import SmoothHeight
 
 Height = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
-# Gaps that an image of this resolution can't tell from contact are closed, and
-# those beyond left as they are, with a transition as wide (mm).
-CLOSED = 0.35
-TRANSITION = 0.15
+# The surfaces are fitted in two passes. Each closes gaps below its first number
+# (mm), which an image of this resolution can't tell from contact, and then
+# leaves out waves shorter than the second (mm), since a meniscus would leave its
+# neighbour with a sharp bend otherwise. What the first pass opens by that, the
+# second one closes again.
+PASSES = ((0.35, 4.5), (0.15, 2.5))
 # Left between surfaces that were closed, for their facets (mm).
 MARGIN = 0.02
+SPACING = 0.5   # of the grid on which surfaces are fitted (mm)
 
 
 @dataclass
@@ -85,47 +89,66 @@ class Cover:
                         z + self._sign * bend, np.nan)
 
 
-def closed(gap: np.ndarray) -> np.ndarray:
+def closed(gap: np.ndarray, below: float) -> np.ndarray:
     """What becomes of a gap: nothing of a small one, and large ones stay."""
-    share = 1 / (1 + np.exp(-np.clip((gap - CLOSED) / TRANSITION, -50, 50)))
+    share = 1 / (1 + np.exp(-np.clip((gap / below - 1) / 0.4, -50, 50)))
     return MARGIN + gap * share
 
 
-@dataclass
 class Fitted:
-    """The meniscus between its neighbours; the femur is lifted by `lift`."""
+    """The meniscus between its neighbours; the femur is lifted by `lift` (mm).
+    """
 
-    meniscus: Meniscus
-    tibia: Cover
-    femur: Cover
-    lift: float
+    def __init__(self, body: Meniscus, tibia: Cover, femur: Cover, lift: float,
+                 reach: float):
+        self.body, self._reach = body, reach
+        x, y = self._around()
+        low, high = body.inferior(x, y), body.superior(x, y)
+        floor, roof = tibia(x, y, low), femur(x, y, high)
+        on_floor, on_roof = np.isfinite(floor), np.isfinite(roof)
+        high[on_roof] += lift
+        roof += lift
+        box = (x.min() - 1, x.max() + 1, y.min() - 1, y.max() + 1)
+        for below, rounding in PASSES:
+            low = np.where(on_floor, floor + closed(low - floor, below), low)
+            high = np.where(on_roof, roof - closed(roof - high, below), high)
+            self.inferior = SmoothHeight(x, y, low, rounding, box, SPACING)
+            self.superior = SmoothHeight(x, y, high, rounding, box, SPACING)
+            low, high = self.inferior(x, y), self.superior(x, y)
 
-    def sides(self, x: np.ndarray, y: np.ndarray
-              ) -> tuple[np.ndarray, np.ndarray]:
-        """Heights of the inferior and the superior surface."""
-        low = self.meniscus.inferior(x, y)
-        high = self.meniscus.superior(x, y)
-        floor = self.tibia(x, y, low)
-        roof = self.femur(x, y, high)
-        low = np.where(np.isfinite(floor), floor + closed(low - floor), low)
-        high = np.where(np.isfinite(roof),
-                        roof + self.lift - closed(roof - high), high)
-        return low, high
+    def _around(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points of a grid on the meniscus and a little beyond."""
+        body = self.body
+        rim = body.place(body.outer)
+        x, y = (line.ravel() for line in np.meshgrid(
+            *(np.arange(a - 2, b + 2, 0.8 * SPACING)
+              for a, b in zip(rim.min(axis=0), rim.max(axis=0)))))
+        dx, dy = x - body.centre[0], y - body.centre[1]
+        middle = body.angles[len(body.angles) // 2]
+        angle = middle + (np.arctan2(dy, dx) - middle + np.pi) % (2 * np.pi) \
+            - np.pi
+        order = np.argsort(body.angles)
+        angles = body.angles[order]
+        radius = np.hypot(dx, dy)
+        beside = radius * np.maximum(angle - angles[-1], angles[0] - angle)
+        kept = (beside < 1.5) \
+            & (radius < np.interp(angle, angles, body.outer[order]) + 1.5) \
+            & (radius > np.interp(angle, angles, body.inner[order])
+               - self._reach)
+        return x[kept], y[kept]
 
-    def inner(self, edge: float, reach: float) -> np.ndarray:
+    def inner(self, edge: float) -> np.ndarray:
         """The radius where the wedge is as thick as its inner edge should be.
 
-        At most `reach` inside of where the tissue ends.
+        At most the reach inside of where the tissue ends.
         """
-        body = self.meniscus
+        body = self.body
         share = np.linspace(0, 1, 60)
-        begin, end = body.inner - reach, body.outer - 2.0
+        begin, end = body.inner - self._reach, body.outer - 2.0
         r = begin[:, None] + (end - begin)[:, None] * share
         x = body.centre[0] + r * np.cos(body.angles)[:, None]
         y = body.centre[1] + r * np.sin(body.angles)[:, None]
-        low, high = (z.reshape(r.shape)
-                     for z in self.sides(x.ravel(), y.ravel()))
-        thin = high - low < edge
+        thin = self.superior(x, y) - self.inferior(x, y) < edge
         last = len(share) - 1 - np.argmax(thin[:, ::-1], axis=1)
         found = np.where(thin.any(axis=1),
                          r[np.arange(len(r)), last], begin)
@@ -134,10 +157,10 @@ class Fitted:
         return ndimage.gaussian_filter1d(found, 2.0 / step, mode="nearest")
 
 
-def plane(fitted: Fitted, edge: float, reach: float, size: float) -> QuadMesh:
+def plane(fitted: Fitted, edge: float, size: float) -> QuadMesh:
     """Quadrangles from the inner edge to the periphery, from horn to horn."""
-    outer = fitted.meniscus.place(fitted.meniscus.outer)
-    inner = fitted.meniscus.place(fitted.inner(edge, reach))
+    outer = fitted.body.place(fitted.body.outer)
+    inner = fitted.body.place(fitted.inner(edge))
     long = np.linalg.norm(np.diff(0.5 * (inner + outer), axis=0), axis=1).sum()
     wide = np.median(np.linalg.norm(outer - inner, axis=1))
     along, across = max(8, round(long / size)), max(3, round(wide / size))
@@ -156,7 +179,8 @@ def plane(fitted: Fitted, edge: float, reach: float, size: float) -> QuadMesh:
 
 
 def columns(fitted: Fitted, mesh: QuadMesh, layers: int) -> np.ndarray:
-    low, high = fitted.sides(*mesh.points.T)
+    x, y = mesh.points.T
+    low, high = fitted.inferior(x, y), fitted.superior(x, y)
     share = np.linspace(0, 1, layers + 1)
     z = low[:, None] + (high - low)[:, None] * share
     xy = np.broadcast_to(mesh.points[:, None], (*z.shape, 2))

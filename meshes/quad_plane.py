@@ -89,8 +89,8 @@ def disc(core: int, rings: int) -> QuadMesh:
     u = np.linspace(-1, 1, core + 1)
     u, v = np.meshgrid(u, u, indexing="ij")
     # Between a square and a disc, so that no angle is flat.
-    square = np.stack([0.45 * u + 0.2 * u * np.sqrt(1 - v**2 / 2),
-                       0.45 * v + 0.2 * v * np.sqrt(1 - u**2 / 2)], axis=-1)
+    square = np.stack([0.40 * u + 0.13 * u * np.sqrt(1 - v**2 / 2),
+                       0.40 * v + 0.13 * v * np.sqrt(1 - u**2 / 2)], axis=-1)
     patches = [square]
     for line in (square[:, 0], square[-1], square[::-1, -1],
                  square[0, ::-1]):
@@ -98,8 +98,7 @@ def disc(core: int, rings: int) -> QuadMesh:
         rim = np.column_stack([np.cos(angle), np.sin(angle)])
         share = np.linspace(1, 0, rings + 1)[None, :, None]
         patches.append((1 - share) * line[:, None] + share * rim[:, None])
-    mesh = join(patches, lambda patch, side: "rim")
-    return relax(mesh)
+    return join(patches, lambda patch, side: "rim")
 
 
 def _worst_corner(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
