@@ -8,11 +8,11 @@ are upright wherever the layer slopes in its chart.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Callable, Protocol
 
 import numpy as np
 
-from smooth_height import SmoothHeight
+Height = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 # Standard deviation of what normals are averaged over (mm).
 BLUR = 2.0
@@ -65,8 +65,8 @@ class Cylinder:
 @dataclass
 class Layer:
     chart: Chart
-    bone: SmoothHeight
-    contact: SmoothHeight
+    bone: Height
+    contact: Height
     thinnest: float   # mm
 
     def middle(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -94,7 +94,7 @@ class Layer:
         return n / np.linalg.norm(n, axis=1)[:, None]
 
     def _reach(self, start: np.ndarray, direction: np.ndarray,
-               surface: SmoothHeight) -> np.ndarray:
+               surface: Height) -> np.ndarray:
         """Distance along the direction to a surface, by the secant method."""
 
         def above(t: np.ndarray) -> np.ndarray:

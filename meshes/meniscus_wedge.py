@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
-from cartilage_layer import Layer
+from cartilage_layer import Height, Layer
 from quad_plane import QuadMesh, join, patch, relax, resample
 from smooth_height import SmoothHeight
-
-Height = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 # The surfaces are fitted in two passes. Each closes gaps below its first number
 # (mm), which an image of this resolution can't tell from contact, and then
@@ -95,6 +92,13 @@ def closed(gap: np.ndarray, below: float) -> np.ndarray:
     return MARGIN + gap * share
 
 
+def opened(gap: np.ndarray) -> np.ndarray:
+    """What becomes of a gap that may be negative: it is MARGIN at least nearly,
+    and hardly changes where it is more than that.
+    """
+    return 0.5 * (gap + np.sqrt(gap**2 + 4 * MARGIN**2))
+
+
 class Fitted:
     """The meniscus between its neighbours; the femur is lifted by `lift` (mm).
     """
@@ -102,12 +106,13 @@ class Fitted:
     def __init__(self, body: Meniscus, tibia: Cover, femur: Cover, lift: float,
                  reach: float):
         self.body, self._reach = body, reach
+        self._tibia, self._femur, self._lift = tibia, femur, lift
         x, y = self._around()
         low, high = body.inferior(x, y), body.superior(x, y)
         floor, roof = tibia(x, y, low), femur(x, y, high)
         on_floor, on_roof = np.isfinite(floor), np.isfinite(roof)
-        high[on_roof] += lift
-        roof += lift
+        roof = roof + lift
+        high = np.where(on_roof, high + lift, high)
         box = (x.min() - 1, x.max() + 1, y.min() - 1, y.max() + 1)
         for below, rounding in PASSES:
             low = np.where(on_floor, floor + closed(low - floor, below), low)
@@ -136,6 +141,17 @@ class Fitted:
             & (radius > np.interp(angle, angles, body.inner[order])
                - self._reach)
         return x[kept], y[kept]
+
+    def sides(self, x: np.ndarray, y: np.ndarray
+              ) -> tuple[np.ndarray, np.ndarray]:
+        """z of the inferior and the superior surface, clear of the neighbours.
+        """
+        low, high = self.inferior(x, y), self.superior(x, y)
+        gap = low - self._tibia(x, y, low)
+        low = np.where(np.isfinite(gap), low + opened(gap) - gap, low)
+        gap = self._femur(x, y, high - self._lift) + self._lift - high
+        high = np.where(np.isfinite(gap), high + gap - opened(gap), high)
+        return low, high
 
     def inner(self, edge: float) -> np.ndarray:
         """The radius where the wedge is as thick as its inner edge should be.
@@ -179,8 +195,7 @@ def plane(fitted: Fitted, edge: float, size: float) -> QuadMesh:
 
 
 def columns(fitted: Fitted, mesh: QuadMesh, layers: int) -> np.ndarray:
-    x, y = mesh.points.T
-    low, high = fitted.inferior(x, y), fitted.superior(x, y)
+    low, high = fitted.sides(*mesh.points.T)
     share = np.linspace(0, 1, layers + 1)
     z = low[:, None] + (high - low)[:, None] * share
     xy = np.broadcast_to(mesh.points[:, None], (*z.shape, 2))
