@@ -80,8 +80,8 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
     parser.add_argument("--verbose", action="store_true")
 
 
-def _contact(body: Body, name: str) -> np.ndarray:
-    return hexahedral_sweep.quads_of(body, name)
+def _quads(body: Body, surface: str) -> np.ndarray:
+    return hexahedral_sweep.quads_of(body, surface)
 
 
 def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
@@ -107,8 +107,8 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
                                                       layers),
             "bone", "contact", name)
         gaps = surface_gap.vertical_gaps(
-            _contact(bodies[name], f"{name}_contact"),
-            _contact(femur(), f"{FEMUR}_contact"))
+            _quads(bodies[name], f"{name}_contact"),
+            _quads(femur(), f"{FEMUR}_contact"))
         if not len(gaps):
             raise ValueError(f"{name} is not below the femoral cartilage")
         clearances.append(gaps.min())
@@ -127,9 +127,9 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
         columns = meniscus_wedge.columns(
             fitted, mesh, max(3, round(MENISCAL_LAYERS / size)))
         bodies[name] = settle(columns, mesh, name,
-                              _contact(bodies[TIBIA[side]],
+                              _quads(bodies[TIBIA[side]],
                                        f"{TIBIA[side]}_contact"),
-                              _contact(bodies[FEMUR], f"{FEMUR}_contact"))
+                              _quads(bodies[FEMUR], f"{FEMUR}_contact"))
         frames[side] = origin(bodies[name], side, body)
     bodies = {name: bodies[name] for name in REGIONS}
     knee = Knee(bodies, lift, frames)
@@ -146,9 +146,9 @@ def settle(columns: np.ndarray, mesh, name: str, tibia: np.ndarray,
 
     share = np.linspace(0, 1, columns.shape[1])
     below = surface_gap.vertical_gaps(
-        tibia, _contact(body(), f"{name}_inferior"))
+        tibia, _quads(body(), f"{name}_inferior"))
     above = surface_gap.vertical_gaps(
-        _contact(body(), f"{name}_superior"), femur)
+        _quads(body(), f"{name}_superior"), femur)
     if not len(below) or not len(above):
         raise ValueError(f"{name} is not between femoral and tibial cartilage")
     columns[:, :, 2] += (1 - share) * (TOUCH - below.min()) \
@@ -162,7 +162,7 @@ def origin(body: Body, side: str, meniscus: Meniscus) -> np.ndarray:
     Medial: midway between the horns. Lateral: the middle of the meniscus, the
     centre of the circle that fits its outline.
     """
-    horns = [_contact(body, f"{MENISCUS[side]}_horn_{end}").mean(axis=(0, 1))
+    horns = [_quads(body, f"{MENISCUS[side]}_horn_{end}").mean(axis=(0, 1))
              for end in ("anterior", "posterior")]
     if side == "medial":
         return 0.5 * (horns[0] + horns[1])
@@ -172,11 +172,7 @@ def origin(body: Body, side: str, meniscus: Meniscus) -> np.ndarray:
     return np.array([*centre, body.points[:, 2].mean()])
 
 
-def check(knee: Knee) -> None:
-    """Measures the rules of this file; raises ValueError where one is broken.
-
-    """
-    bodies, report = knee.bodies, knee.report
+def check_quality(bodies: dict[str, Body]) -> None:
     for name, body in bodies.items():
         quality = hexahedral_sweep.scaled_jacobian(body)
         if quality.min() < MIN_SCALED_JACOBIAN:
@@ -184,8 +180,14 @@ def check(knee: Knee) -> None:
             place = ", ".join(f"{c:.1f}" for c in x.mean(axis=0))
             raise ValueError(
                 f"an element of {name} at ({place}) has a scaled Jacobian of "
-                f"{quality.min():.2f}, less than {MIN_SCALED_JACOBIAN}: "
-                "choose another --size or more --smoothing")
+                f"{quality.min():.2f}, less than {MIN_SCALED_JACOBIAN}: choose "
+                "another --size, or smoother surfaces")
+
+
+def check(knee: Knee) -> None:
+    """Measures that the rules are kept; raises ValueError otherwise."""
+    bodies, report = knee.bodies, knee.report
+    check_quality(bodies)
     report.append(f"femur lifted by {knee.lift:.3f} mm")
     pairs = []
     for side in SIDES:
@@ -229,7 +231,8 @@ def frame_lines(knee: Knee) -> list[str]:
     """Lines of TOML: the cylindrical frames of the menisci."""
     lines = []
     for side in SIDES:
-        place = ", ".join(f"{c:.4f}" for c in knee.frames[side])
+        place = ", ".join(f"{c + 0.0:.4f}" for c in
+                          np.round(knee.frames[side], 4))
         lines += [f"[{MENISCUS[side]}]",
                   f'frame = {{type = "cylindrical", origin = [{place}], '
                   "axis = [0, 0, 1]}"]

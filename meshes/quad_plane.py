@@ -84,21 +84,41 @@ def join(patches: list[np.ndarray], name) -> QuadMesh:
                     {n: np.array(e) for n, e in outer.items()})
 
 
+def _core(line: np.ndarray) -> np.ndarray:
+    """Takes a square to something between a square and a disc.
+
+    So that no angle is flat where rings go on to a circle.
+    """
+    u, v = np.meshgrid(line, line, indexing="ij")
+    return np.stack([0.40 * u + 0.13 * u * np.sqrt(1 - v**2 / 2),
+                     0.40 * v + 0.13 * v * np.sqrt(1 - u**2 / 2)], axis=-1)
+
+
+def _ring(line: np.ndarray, rings: int) -> np.ndarray:
+    """Rings from the unit circle in to a line, n x (rings + 1) x 2."""
+    angle = np.arctan2(line[:, 1], line[:, 0])
+    rim = np.column_stack([np.cos(angle), np.sin(angle)])
+    share = np.linspace(1, 0, rings + 1)[None, :, None]
+    return (1 - share) * line[:, None] + share * rim[:, None]
+
+
 def disc(core: int, rings: int) -> QuadMesh:
     """The unit disc: core x core quadrangles, and rings around them."""
-    u = np.linspace(-1, 1, core + 1)
-    u, v = np.meshgrid(u, u, indexing="ij")
-    # Between a square and a disc, so that no angle is flat.
-    square = np.stack([0.40 * u + 0.13 * u * np.sqrt(1 - v**2 / 2),
-                       0.40 * v + 0.13 * v * np.sqrt(1 - u**2 / 2)], axis=-1)
-    patches = [square]
-    for line in (square[:, 0], square[-1], square[::-1, -1],
-                 square[0, ::-1]):
-        angle = np.arctan2(line[:, 1], line[:, 0])
-        rim = np.column_stack([np.cos(angle), np.sin(angle)])
-        share = np.linspace(1, 0, rings + 1)[None, :, None]
-        patches.append((1 - share) * line[:, None] + share * rim[:, None])
-    return join(patches, lambda patch, side: "rim")
+    square = _core(np.linspace(-1, 1, core + 1))
+    sides = (square[:, 0], square[-1], square[::-1, -1], square[0, ::-1])
+    return join([square, *(_ring(side, rings) for side in sides)],
+                lambda patch, side: "rim")
+
+
+def quarter_disc(core: int, rings: int) -> QuadMesh:
+    """The quarter x, y >= 0 of it; edges symmetry_x (x = 0), symmetry_y, rim.
+    """
+    square = _core(np.linspace(0, 1, core + 1))
+    names = {(0, "south"): "symmetry_y", (0, "west"): "symmetry_x",
+             (1, "west"): "symmetry_y", (2, "east"): "symmetry_x"}
+    return join([square, _ring(square[-1], rings),
+                 _ring(square[::-1, -1], rings)],
+                lambda patch, side: names.get((patch, side), "rim"))
 
 
 def _worst_corner(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
