@@ -6,6 +6,7 @@ import argparse
 from typing import Callable
 
 import gmsh_bodies
+import knee_checks
 import knee_joint
 import mesh_script
 from knee_joint import Anatomy
@@ -22,6 +23,7 @@ def write(script: str, args: argparse.Namespace,
     def build() -> dict[str, int]:
         body, lines = anatomy()
         knee = knee_joint.build(body, args)
+        report = knee_checks.check(knee)
         gmsh_bodies.assemble("knee", knee.bodies, knee_joint.REGIONS,
                              knee_joint.SURFACES)
         toml = knee_joint.frame_lines(knee)
@@ -29,7 +31,7 @@ def write(script: str, args: argparse.Namespace,
             file.write("\n".join([f"# {line}" for line in lines] + toml) + "\n")
         count = sum(len(body.volume[0][1]) // 8
                     for body in knee.bodies.values())
-        for line in [*lines, f"{count} hexahedra", *knee.report, *toml]:
+        for line in [*lines, f"{count} hexahedra", *report, *toml]:
             print(line)
         return knee_joint.REGIONS
 

@@ -9,6 +9,7 @@ from scipy import ndimage
 
 from cartilage_layer import Chart, Cylinder, Layer, Vertical
 from cartilage_outline import FemoralOutline
+from circle_fit import circle
 from label_image import ImageError, Tissue, crossings
 from meniscus_wedge import Meniscus
 from smooth_height import SmoothHeight
@@ -99,10 +100,8 @@ def femoral_axis(femur: Tissue) -> Cylinder:
     """The cylinder along x that fits the lower half of the condyles."""
     y, z = femur.points[:, 1], femur.points[:, 2]
     low = z < np.percentile(z, 60)
-    y, z = y[low], z[low]
-    a = np.column_stack([2 * y, 2 * z, np.ones(len(y))])
-    cy, cz, rest = np.linalg.lstsq(a, y**2 + z**2, rcond=None)[0]
-    return Cylinder(float(cy), float(cz), float(np.sqrt(rest + cy**2 + cz**2)))
+    (cy, cz), radius = circle(np.column_stack([y[low], z[low]]))
+    return Cylinder(float(cy), float(cz), radius)
 
 
 def femoral_layer(tissue: Tissue, chart: Cylinder, cutoff: float,
@@ -201,8 +200,7 @@ def meniscus(tissue: Tissue, cutoff: float
     thickness = samples.thickness()
     i, j = np.nonzero(thickness > 0.7)
     x, y = samples.u[i], samples.v[j]
-    a = np.column_stack([2 * x, 2 * y, np.ones(len(x))])
-    centre = np.linalg.lstsq(a, x**2 + y**2, rcond=None)[0][:2]
+    centre, _ = circle(np.column_stack([x, y]))
     angles = np.deg2rad(np.arange(0, 360, 1.0))
     radii = np.arange(1, 45, 0.1)
     rays = centre[:, None, None] + radii \

@@ -37,10 +37,11 @@ try:
     import numpy as np
 
     import gmsh_bodies
-    import hexahedral_sweep
+    import knee_checks
     import knee_joint
     import mesh_script
     from gmsh_bodies import Body
+    from hexahedral_sweep import quads_of, sweep
     from quad_plane import QuadMesh, disc, join, quarter_disc
 except ImportError as missing:
     sys.exit(f"meniscus_ring.py: error: {missing}; scripts/setup installs "
@@ -101,13 +102,13 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
                      args.femoral_radius - args.femoral_thickness)
     contact = on_sphere(mesh.points, args.femoral_radius)
     # Seen from above, the contact side of the femur is the lower one.
-    bodies = {FEMUR: hexahedral_sweep.sweep(
+    bodies = {FEMUR: sweep(
         mesh, contact[:, None] + share * (bone - contact)[:, None],
         "contact", "bone", FEMUR)}
 
     top = np.column_stack([mesh.points, np.zeros(len(mesh.points))])
     down = np.array([0, 0, args.tibial_thickness])
-    bodies[TIBIA] = hexahedral_sweep.sweep(
+    bodies[TIBIA] = sweep(
         mesh, top[:, None] - (1 - share) * down, "bone", "contact", TIBIA)
 
     drop = args.inner_edge - args.clearance
@@ -120,8 +121,8 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
     columns[:, :, 2] *= share
     bodies[MENISCUS] = knee_joint.settle(
         columns, ring, MENISCUS,
-        hexahedral_sweep.quads_of(bodies[TIBIA], f"{TIBIA}_contact"),
-        hexahedral_sweep.quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
+        quads_of(bodies[TIBIA], f"{TIBIA}_contact"),
+        quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
     for name, body in bodies.items():
         body.surfaces = {shared(surface): faces
                          for surface, faces in body.surfaces.items()}
@@ -183,7 +184,7 @@ def main(argv: list[str] | None = None) -> int:
 
     def build() -> dict[str, int]:
         bodies = make_bodies(args)
-        knee_joint.check_quality(bodies)
+        knee_checks.check_quality(bodies)
         names = sorted({s for body in bodies.values() for s in body.surfaces})
         gmsh_bodies.assemble("meniscus_ring", bodies, REGIONS,
                              {name: i for i, name in enumerate(names, 1)})
