@@ -60,7 +60,7 @@ TIBIAL_THICKNESS = 2.5
 # The femoral cartilage reaches from END behind to FRONT (degrees, -90 is the
 # lowest point), and in x from the notch to the outer sides.
 END, SHOULDER, FRONT = -195.0, -75.0, -5.0
-NOTCH, ARCH, OUTER = 9.0, 4.5, 34.0
+NOTCH, ARCH, OUTER = 9.0, 4.5, 36.0
 
 # Tibia: centre, half width, half length, and 1/radius in x and in y of what
 # touches the femur at y = 0.
