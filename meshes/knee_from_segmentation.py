@@ -41,8 +41,10 @@ try:
     import knee_joint
     import knee_mesh_file
     import label_image
-    import label_surfaces
     import mesh_script
+    from label_femur import femoral_axis, femoral_layer
+    from label_meniscus import meniscus
+    from label_tibia import tibial_layer
 except ImportError as missing:
     sys.exit(f"knee_from_segmentation.py: error: {missing}; scripts/setup "
              "installs what scripts/requirements.txt lists")
@@ -88,11 +90,10 @@ def anatomy(args: argparse.Namespace
         tissues[name] = label_image.Tissue(image, label, name)
         lines.append(f"{name}: label {label}, {tissues[name].volume:.0f} mm^3, "
                      f"{tissues[name].dropped} stray voxels left out")
-    chart = label_surfaces.femoral_axis(tissues[knee_joint.FEMUR])
-    femur, outline = label_surfaces.femoral_layer(
-        tissues[knee_joint.FEMUR], chart, args.smoothing, args.thinnest)
-    tibia = {side: label_surfaces.tibial_layer(tissues[name], args.smoothing,
-                                               args.thinnest)
+    chart = femoral_axis(tissues[knee_joint.FEMUR])
+    femur, outline = femoral_layer(tissues[knee_joint.FEMUR], chart,
+                                   args.smoothing, args.thinnest)
+    tibia = {side: tibial_layer(tissues[name], args.smoothing, args.thinnest)
              for side, name in knee_joint.TIBIA.items()}
     for name, layer in ((knee_joint.FEMUR, femur),
                         *((knee_joint.TIBIA[side], layer)
@@ -100,9 +101,8 @@ def anatomy(args: argparse.Namespace
         lines.append(f"{name}: smooth surfaces deviate from the voxels' by "
                      f"{layer.contact.residual:.2f} (contact) and "
                      f"{layer.bone.residual:.2f} mm (bone), root mean square")
-    menisci = {side: label_surfaces.meniscus(
-        tissues[name], MENISCAL_SHARE * args.smoothing)
-        for side, name in knee_joint.MENISCUS.items()}
+    menisci = {side: meniscus(tissues[name], MENISCAL_SHARE * args.smoothing)
+               for side, name in knee_joint.MENISCUS.items()}
     return knee_joint.Anatomy(
         femur, outline, {side: layer for side, (layer, _) in tibia.items()},
         {side: curve for side, (_, curve) in tibia.items()}, menisci), lines

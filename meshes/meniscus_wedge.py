@@ -43,6 +43,15 @@ class Meniscus:
         return self.centre + radius[:, None] * ray
 
 
+def polar(centre: np.ndarray, angles: np.ndarray, x: np.ndarray, y: np.ndarray
+          ) -> tuple[np.ndarray, np.ndarray]:
+    """Angle, within pi of the middle one of the angles, and radius."""
+    dx, dy = x - centre[0], y - centre[1]
+    middle = angles[len(angles) // 2]
+    turn = (np.arctan2(dy, dx) - middle + np.pi) % (2 * np.pi)
+    return middle + turn - np.pi, np.hypot(dx, dy)
+
+
 class Cover:
     """A layer's contact side as z(x, y), seen along z.
 
@@ -128,13 +137,9 @@ class Fitted:
         x, y = (line.ravel() for line in np.meshgrid(
             *(np.arange(a - 2, b + 2, 0.8 * SPACING)
               for a, b in zip(rim.min(axis=0), rim.max(axis=0)))))
-        dx, dy = x - body.centre[0], y - body.centre[1]
-        middle = body.angles[len(body.angles) // 2]
-        angle = middle + (np.arctan2(dy, dx) - middle + np.pi) % (2 * np.pi) \
-            - np.pi
+        angle, radius = polar(body.centre, body.angles, x, y)
         order = np.argsort(body.angles)
         angles = body.angles[order]
-        radius = np.hypot(dx, dy)
         beside = radius * np.maximum(angle - angles[-1], angles[0] - angle)
         kept = (beside < 1.5) \
             & (radius < np.interp(angle, angles, body.outer[order]) + 1.5) \

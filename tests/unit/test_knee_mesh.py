@@ -27,6 +27,7 @@ import knee_parametric  # noqa: E402
 import meniscus_ring  # noqa: E402
 import surface_gap  # noqa: E402
 from hex_mesh import HexMesh, check_hexahedra  # noqa: E402
+from meniscus_wedge import polar  # noqa: E402
 
 FOLDER = tempfile.TemporaryDirectory()
 NAMES = (["femoral_cartilage", "tibial_cartilage_medial",
@@ -97,14 +98,10 @@ def synthetic_labels(mirrored: bool = False
         labels[(((x - x0) / width)**2 + ((y - y0) / length)**2 < 1)
                & (z < top) & (z > layer.bone(x, y))] = tibia
         wedge = body.menisci[side]
-        dx, dy = x - wedge.centre[0], y - wedge.centre[1]
-        near = (np.hypot(dx, dy) < 30) & (np.abs(z) < 15)
-        middle = wedge.angles[len(wedge.angles) // 2]
-        angle = middle + (np.arctan2(dy, dx) - middle + np.pi) \
-            % (2 * np.pi) - np.pi
+        angle, radius = polar(wedge.centre, wedge.angles, x, y)
         order = np.argsort(wedge.angles)
-        radius, angles = np.hypot(dx, dy), wedge.angles[order]
-        inside = near & (angle > angles[0]) & (angle < angles[-1]) \
+        angles = wedge.angles[order]
+        inside = (radius < 30) & (np.abs(z) < 15) & (angle > angles[0]) & (angle < angles[-1]) \
             & (radius < np.interp(angle, angles, wedge.outer[order])) \
             & (radius > np.interp(angle, angles, wedge.inner[order]))
         inside &= z > top
