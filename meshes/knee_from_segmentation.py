@@ -24,9 +24,9 @@ the condyles and the front of the trochlea are cut off straight.
 A script gets a real knee's image, see scripts/get_knee_image --help.
 
 Sample runs:
-  python3 meshes/knee_from_segmentation.py IMAGE -o knee.msh    # 36,000 hexes
+  python3 meshes/knee_from_segmentation.py IMAGE -o knee.msh    # 37,000 hexes
   python3 meshes/knee_from_segmentation.py IMAGE --size 1.65    # 9,000
-  python3 meshes/knee_from_segmentation.py IMAGE --size 0.52    # 260,000
+  python3 meshes/knee_from_segmentation.py IMAGE --size 0.52    # 270,000
 """
 
 from __future__ import annotations
@@ -115,8 +115,10 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser.add_argument("image", help="labelled image: .nrrd, .nii or .nii.gz")
     knee_joint.add_options(parser, "knee.msh")
     parser.add_argument("--labels", type=labels, default=dict(LABELS),
-                        metavar="REGION=NUMBER,...", help="default: " + ",".join(
-                            f"{k}={v}" for k, v in LABELS.items()))
+                        metavar="REGION=NUMBER,...",
+                        help="default: " + ",".join(
+                            f"{name}={label}" for name, label in
+                            LABELS.items()))
     parser.add_argument("--smoothing", type=mesh_script.positive, default=7.0,
                         help="waves shorter than this are left out (mm, "
                              "default %(default)s)")

@@ -3,8 +3,8 @@
 Whatever the anatomy comes from, an image or a few dimensions, these are the
 names, and these rules hold: the femur touches the menisci and not the tibial
 cartilage; the menisci rest on the tibial cartilage; nothing penetrates; every
-outer face has one name. knee_checks.py measures them. Lengths are in mm; x is to
-the right, y to the front, z up.
+outer face has one name. knee_checks.py measures them. Lengths are in mm; x is
+to the right, y to the front, z up.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ SURFACES = {name: tag for tag, name in enumerate(
        for side in ("superior", "inferior", "periphery", "inner",
                     "horn_anterior", "horn_posterior")], 1)}
 
-# Edge lengths (mm) and layers at --size 1, which makes 36,000 hexahedra of a
-# knee of average size.
+# Edge lengths (mm) and layers at --size 1, which makes 35,000 hexahedra or so
+# of a knee of average size.
 FEMORAL_SIZE, TIBIAL_SIZE, MENISCAL_SIZE = 1.0, 0.8, 0.7
 CARTILAGE_LAYERS, MENISCAL_LAYERS = 3, 6
 

@@ -50,6 +50,29 @@ def _sides(u: np.ndarray, line: np.ndarray) -> list[float]:
     return [begin, *notch, end]
 
 
+def _notch_sides(u: np.ndarray, mask: np.ndarray, sides: np.ndarray,
+                 both: np.ndarray) -> np.ndarray:
+    """Both sides of what is connected to the notch, from its first line on.
+
+    Holes and dents of the mask, which may be wider, are something else.
+    """
+    rows = np.flatnonzero(both)
+    parts, _ = ndimage.label(~mask[:, rows[0]:])
+    seed = rows[len(rows) // 2]
+    inside = (u > sides[1, seed]) & (u < sides[2, seed])
+    notch = np.zeros_like(mask)
+    notch[:, rows[0]:] = parts == parts[np.flatnonzero(inside)[0],
+                                        seed - rows[0]]
+    if notch[0].any() or notch[-1].any():
+        raise ImageError("the femoral cartilage's condyles do not join in "
+                         "front of the notch")
+    found = np.full((2, mask.shape[1]), np.nan)
+    for row in np.flatnonzero(notch.any(axis=0)):
+        across = np.flatnonzero(notch[:, row])
+        found[:, row] = u[across[0] - 1], u[across[-1] + 1]
+    return found
+
+
 def _smooth(values: np.ndarray) -> np.ndarray:
     rows, known = np.arange(len(values)), np.isfinite(values)
     filled = np.interp(rows, rows[known], values[known])
@@ -65,10 +88,12 @@ def femoral_outline(u: np.ndarray, v: np.ndarray, mask: np.ndarray
     """
     mask = largest(mask)
     sides = np.array([_sides(u, line) for line in mask.T]).T
-    gap = sides[2] - sides[1]
-    two = largest(np.isfinite(gap))
-    if two.sum() < 10:
+    both = largest(np.isfinite(sides[1]))
+    if both.sum() < 10:
         raise ImageError("the femoral cartilage has no two condyles")
+    sides[1:3] = _notch_sides(u, mask, sides, both)
+    gap = sides[2] - sides[1]
+    two = np.isfinite(gap)
     # Where the notch becomes round: an arch this flat meets its sides at about
     # 45 degrees.
     last = np.flatnonzero(two)[-1]

@@ -14,9 +14,9 @@ from smooth_height import SmoothHeight
 
 # The surfaces are fitted in two passes. Each closes gaps below its first number
 # (mm), which an image of this resolution can't tell from contact, and then
-# leaves out waves shorter than the second (mm), since a meniscus would leave its
-# neighbour with a sharp bend otherwise. What the first pass opens by that, the
-# second one closes again.
+# leaves out waves shorter than the second (mm), since a meniscus would leave
+# its neighbour with a sharp bend otherwise. What the first pass opens by that,
+# the second one closes again.
 PASSES = ((0.35, 4.5), (0.15, 2.5))
 # Left between surfaces that were closed, for their facets (mm).
 MARGIN = 0.02

@@ -101,7 +101,8 @@ def synthetic_labels(mirrored: bool = False
         angle, radius = polar(wedge.centre, wedge.angles, x, y)
         order = np.argsort(wedge.angles)
         angles = wedge.angles[order]
-        inside = (radius < 30) & (np.abs(z) < 15) & (angle > angles[0]) & (angle < angles[-1]) \
+        inside = (radius < 30) & (np.abs(z) < 15) \
+            & (angle > angles[0]) & (angle < angles[-1]) \
             & (radius < np.interp(angle, angles, wedge.outer[order])) \
             & (radius > np.interp(angle, angles, wedge.inner[order]))
         inside &= z > top
