@@ -3,8 +3,11 @@
 import gmsh
 import h5py  # noqa: F401
 import matplotlib  # noqa: F401
+import nibabel  # noqa: F401
+import nrrd  # noqa: F401
 import numpy
 import pyvista
+import scipy.sparse.linalg  # noqa: F401
 
 gmsh.initialize()
 gmsh.finalize()

@@ -1,0 +1,175 @@
+"""The bodies of a knee, meshed and fitted together, from its anatomy.
+
+Whatever the anatomy comes from, an image or a few dimensions, these are the
+names, and these rules hold: the femur touches the menisci and not the tibial
+cartilage; the menisci rest on the tibial cartilage; nothing penetrates; every
+outer face has one name. knee_checks.py measures them. Lengths are in mm; x is
+to the right, y to the front, z up.
+"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+
+import numpy as np
+
+import mesh_script
+import meniscus_wedge
+import surface_gap
+from cartilage_layer import Layer
+from cartilage_outline import FemoralOutline, femoral_plane, star_plane
+from circle_fit import circle
+from gmsh_bodies import Body
+from hexahedral_sweep import quads_of, sweep
+from meniscus_wedge import Cover, Fitted, Meniscus
+from quad_plane import QuadMesh
+
+FEMUR = "femoral_cartilage"
+SIDES = ("medial", "lateral")
+TIBIA = {side: f"tibial_cartilage_{side}" for side in SIDES}
+MENISCUS = {side: f"meniscus_{side}" for side in SIDES}
+
+REGIONS = {name: tag for tag, name in enumerate(
+    [FEMUR, *TIBIA.values(), *MENISCUS.values()], 1)}
+SURFACES = {name: tag for tag, name in enumerate(
+    [f"{body}_{side}" for body in (FEMUR, *TIBIA.values())
+     for side in ("bone", "contact", "rim")]
+    + [f"{body}_{side}" for body in MENISCUS.values()
+       for side in ("superior", "inferior", "periphery", "inner",
+                    "horn_anterior", "horn_posterior")], 1)}
+
+# Edge lengths (mm) and layers at --size 1, which makes 35,000 hexahedra or so
+# of a knee of average size.
+FEMORAL_SIZE, TIBIAL_SIZE, MENISCAL_SIZE = 1.0, 0.8, 0.7
+CARTILAGE_LAYERS, MENISCAL_LAYERS = 3, 6
+
+# The gap between a meniscus and its neighbours where they touch (mm).
+TOUCH = 1e-3
+# How far beyond its image a meniscus may go on to become thin (mm).
+REACH = 1.5
+
+
+@dataclass
+class Anatomy:
+    femur: Layer
+    femoral_outline: FemoralOutline
+    tibia: dict[str, Layer]
+    tibial_outline: dict[str, np.ndarray]   # n x 2, counter-clockwise
+    menisci: dict[str, Meniscus]
+
+
+@dataclass
+class Knee:
+    bodies: dict[str, Body]
+    lift: float                     # of the femur (mm)
+    frames: dict[str, np.ndarray]   # origins, by side (mm)
+
+
+def add_options(parser: argparse.ArgumentParser, output: str) -> None:
+    parser.add_argument("-o", "--output", default=output)
+    parser.add_argument("--size", type=mesh_script.positive, default=1.0,
+                        help="factor on all element sizes")
+    parser.add_argument("--clearance", type=mesh_script.positive, default=0.15,
+                        help="least gap between femoral and tibial cartilage "
+                             "(mm, default %(default)s)")
+    parser.add_argument("--inner-edge", type=mesh_script.positive, default=0.5,
+                        help="thickness of the menisci at their inner edge "
+                             "(mm, default %(default)s)")
+    parser.add_argument("--verbose", action="store_true")
+
+
+def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
+    """Meshes the bodies; raises ValueError where they are not in their places.
+    """
+    size = args.size
+    layers = max(2, round(CARTILAGE_LAYERS / size))
+    bodies = {}
+
+    femoral = femoral_plane(anatomy.femoral_outline, FEMORAL_SIZE * size)
+    femoral_columns = anatomy.femur.columns(*femoral.points.T, layers)
+
+    def femur() -> Body:
+        return sweep(femoral.turned_over(), femoral_columns, "bone",
+                     "contact", FEMUR)
+
+    tibial = {}
+    clearances = []
+    for side, name in TIBIA.items():
+        tibial[side] = star_plane(anatomy.tibial_outline[side],
+                                  TIBIAL_SIZE * size)
+        bodies[name] = sweep(
+            tibial[side], anatomy.tibia[side].columns(*tibial[side].points.T,
+                                                      layers),
+            "bone", "contact", name)
+        gaps = surface_gap.vertical_gaps(
+            quads_of(bodies[name], f"{name}_contact"),
+            quads_of(femur(), f"{FEMUR}_contact"))
+        if not len(gaps):
+            raise ValueError(f"{name} is not below the femoral cartilage")
+        clearances.append(gaps.min())
+    lift = args.clearance - min(clearances)
+    femoral_columns[:, :, 2] += lift
+    bodies[FEMUR] = femur()
+
+    roof = Cover(anatomy.femur, femoral, True)
+    frames = {}
+    for side, name in MENISCUS.items():
+        body = anatomy.menisci[side]
+        fitted = Fitted(body, Cover(anatomy.tibia[side], tibial[side], False),
+                        roof, lift, REACH)
+        mesh = meniscus_wedge.plane(fitted, args.inner_edge,
+                                    MENISCAL_SIZE * size)
+        columns = meniscus_wedge.columns(
+            fitted, mesh, max(3, round(MENISCAL_LAYERS / size)))
+        bodies[name] = settle(columns, mesh, name,
+                              quads_of(bodies[TIBIA[side]],
+                                       f"{TIBIA[side]}_contact"),
+                              quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
+        frames[side] = origin(bodies[name], side, body)
+    return Knee({name: bodies[name] for name in REGIONS}, lift, frames)
+
+
+def settle(columns: np.ndarray, mesh: QuadMesh, name: str, tibia: np.ndarray,
+           femur: np.ndarray) -> Body:
+    """The meniscus, its two sides moved along z until they touch."""
+    def body() -> Body:
+        return sweep(mesh, columns, "inferior", "superior", name)
+
+    share = np.linspace(0, 1, columns.shape[1])
+    below = surface_gap.vertical_gaps(
+        tibia, quads_of(body(), f"{name}_inferior"))
+    above = surface_gap.vertical_gaps(
+        quads_of(body(), f"{name}_superior"), femur)
+    if not len(below) or not len(above):
+        raise ValueError(f"{name} is not between femoral and tibial cartilage")
+    columns[:, :, 2] += (1 - share) * (TOUCH - below.min()) \
+        + share * (above.min() - TOUCH)
+    return body()
+
+
+def origin(body: Body, side: str, meniscus: Meniscus) -> np.ndarray:
+    """Where the axis of the circumferential fibres is.
+
+    Medial: midway between the horns. Lateral: the middle of the meniscus, the
+    centre of the circle that fits it.
+    """
+    horns = [quads_of(body, f"{MENISCUS[side]}_horn_{end}").mean(axis=(0, 1))
+             for end in ("anterior", "posterior")]
+    if side == "medial":
+        return 0.5 * (horns[0] + horns[1])
+    centre, _ = circle(meniscus.place(0.5 * (meniscus.inner
+                                             + meniscus.outer)))
+    return np.array([*centre, body.points[:, 2].mean()])
+
+
+def frame_lines(knee: Knee) -> list[str]:
+    """Lines of TOML: the cylindrical frames of the menisci."""
+    lines = []
+    for side in SIDES:
+        place = ", ".join(f"{c + 0.0:.4f}" for c in
+                          np.round(knee.frames[side], 4))
+        lines += [f"[{MENISCUS[side]}]",
+                  f'frame = {{type = "cylindrical", origin = [{place}], '
+                  "axis = [0, 0, 1]}"]
+    return lines

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""Mesh of an axisymmetric joint: a full ring of meniscus, hexahedra.
+
+The idealised knee compartment, in millimetres, about the z axis: a spherical
+layer of femoral cartilage, radius 25, on a ring whose section is a wedge, on a
+flat disc of tibial cartilage.
+
+        femoral_cartilage_bone           regions   femoral_cartilage,
+      .                        .                   tibial_cartilage, meniscus
+       ` - .   _contact  . - '  _rim     surfaces  of cartilage: _bone, _contact,
+    |\\_      `  - - '      _/|                     _rim; of the meniscus:
+    |___\\                /___|                     _superior, _inferior,
+    ----------------------------                   _periphery, _inner
+    |    tibial_cartilage      |         origin    on the axis, on top of the
+    ----------------------------                   tibial cartilage
+
+The whole turn, or a quarter (symmetry_x: x = 0, symmetry_y: y = 0), or another
+wedge, which begins at symmetry_y and ends at symmetry_turned, and which leaves
+out the axis (surface axis, radius --hole).
+
+The femur touches the meniscus, and is clear of the tibia. All elements are of
+first order.
+
+Sample runs:
+  python3 meshes/meniscus_ring.py -o ring.msh                        # 16,000
+  python3 meshes/meniscus_ring.py -o quarter.msh --angle 90
+  python3 meshes/meniscus_ring.py -o wedge.msh --angle 5 --size 0.25
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+try:
+    import gmsh  # noqa: F401
+    import numpy as np
+
+    import gmsh_bodies
+    import knee_checks
+    import knee_joint
+    import mesh_script
+    from gmsh_bodies import Body
+    from hexahedral_sweep import quads_of, sweep
+    from quad_plane import QuadMesh, disc, join, quarter_disc
+except ImportError as missing:
+    sys.exit(f"meniscus_ring.py: error: {missing}; scripts/setup installs "
+             "what scripts/requirements.txt lists")
+
+FEMUR, TIBIA, MENISCUS = "femoral_cartilage", "tibial_cartilage", "meniscus"
+REGIONS = {FEMUR: 1, TIBIA: 2, MENISCUS: 3}
+
+# Edge length (mm) and layers at --size 1.
+SIZE, CARTILAGE_LAYERS, MENISCAL_LAYERS = 0.8, 3, 6
+
+
+def sector(inner: float, outer: float, angle: float, size: float,
+           names: dict[str, str]) -> QuadMesh:
+    """Quadrangles between two radii, over an angle (degrees)."""
+    across = max(1, round((outer - inner) / size))
+    around = max(1, round(np.radians(angle) * 0.6 * outer / size))
+    r = np.linspace(inner, outer, across + 1)[:, None]
+    turn = np.radians(np.linspace(0, angle, around + 1))
+    patch = np.stack(np.broadcast_arrays(r * np.cos(turn), r * np.sin(turn)),
+                     axis=-1)
+    if angle == 360:
+        patch[:, -1] = patch[:, 0]
+    end = "symmetry_x" if angle == 90 else "symmetry_turned"
+    names = {"south": "symmetry_y", "north": end, **names}
+    return join([patch], lambda number, side: names[side])
+
+
+def plate(radius: float, args: argparse.Namespace, size: float) -> QuadMesh:
+    """A disc, or the part of it that is to be meshed."""
+    core = max(3, round(1.06 * radius / size))
+    rings = max(2, round(0.4 * radius / size))
+    if args.angle == 360:
+        mesh = disc(core, rings)
+    elif args.angle == 90:
+        mesh = quarter_disc(max(2, round(0.5 * core)), rings)
+    else:
+        return sector(args.hole, radius, args.angle, size,
+                      {"west": "axis", "east": "rim"})
+    mesh.points = radius * mesh.points
+    return mesh
+
+
+def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
+    size = SIZE * args.size
+    layers = max(2, round(CARTILAGE_LAYERS / args.size))
+    share = np.linspace(0, 1, layers + 1)[None, :, None]
+    middle = args.femoral_radius + args.clearance
+
+    def on_sphere(xy: np.ndarray, radius: float) -> np.ndarray:
+        """Where the line from the middle to the contact side meets a sphere."""
+        down = np.sqrt(args.femoral_radius**2 - (xy**2).sum(axis=1))
+        ray = np.column_stack([xy, -down]) / args.femoral_radius
+        return np.array([0, 0, middle]) + radius * ray
+
+    mesh = plate(args.width, args, size)
+    bone = on_sphere(mesh.points,
+                     args.femoral_radius - args.femoral_thickness)
+    contact = on_sphere(mesh.points, args.femoral_radius)
+    # Seen from above, the contact side of the femur is the lower one.
+    bodies = {FEMUR: sweep(
+        mesh, contact[:, None] + share * (bone - contact)[:, None],
+        "contact", "bone", FEMUR)}
+
+    top = np.column_stack([mesh.points, np.zeros(len(mesh.points))])
+    down = np.array([0, 0, args.tibial_thickness])
+    bodies[TIBIA] = sweep(
+        mesh, top[:, None] - (1 - share) * down, "bone", "contact", TIBIA)
+
+    drop = args.inner_edge - args.clearance
+    inner = np.sqrt(drop * (2 * args.femoral_radius - drop))
+    ring = sector(inner, args.meniscal_radius, args.angle, size,
+                  {"west": "inner", "east": "periphery"})
+    share = np.linspace(0, 1, max(3, round(MENISCAL_LAYERS / args.size)) + 1)
+    high = on_sphere(ring.points, args.femoral_radius)
+    columns = np.repeat(high[:, None], len(share), axis=1)
+    columns[:, :, 2] *= share
+    bodies[MENISCUS] = knee_joint.settle(
+        columns, ring, MENISCUS,
+        quads_of(bodies[TIBIA], f"{TIBIA}_contact"),
+        quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
+    for name, body in bodies.items():
+        body.surfaces = {shared(surface): faces
+                         for surface, faces in body.surfaces.items()}
+    return bodies
+
+
+def shared(surface: str) -> str:
+    """Planes of symmetry have one name for all bodies."""
+    body, _, side = surface.rpartition("_")
+    if body.endswith("symmetry"):
+        return f"symmetry_{side}"
+    return side if side == "axis" else surface
+
+
+def parse(argv: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", default="meniscus_ring.msh")
+    parser.add_argument("--size", type=mesh_script.positive, default=1.0,
+                        help="factor on all element sizes")
+    parser.add_argument("--angle", type=mesh_script.positive, default=360.0,
+                        help="degrees: 360, 90, or up to 45")
+    for name, default, text in (
+            ("--femoral-radius", 25.0, "of the femur's contact side"),
+            ("--femoral-thickness", 2.0, "of the femoral cartilage"),
+            ("--tibial-thickness", 2.5, "of the tibial cartilage"),
+            ("--width", 18.0, "radius of both layers' rims"),
+            ("--meniscal-radius", 15.0, "of the meniscus's periphery"),
+            ("--inner-edge", 0.5, "thickness of the meniscus there"),
+            ("--clearance", 0.15, "between the layers on the axis"),
+            ("--hole", 0.2, "radius left out of wedges on the axis")):
+        parser.add_argument(name, type=mesh_script.positive, default=default,
+                            help=f"{text} (mm, default {default})")
+    parser.add_argument("--verbose", action="store_true")
+    args = parser.parse_args(argv)
+    if args.angle not in (90, 360) and args.angle > 45:
+        parser.error("--angle must be 360, 90, or at most 45")
+    if args.width >= 0.95 * args.femoral_radius:
+        parser.error("--width must be less than 0.95 of --femoral-radius")
+    if args.femoral_thickness >= 0.5 * args.femoral_radius:
+        parser.error("--femoral-thickness must be less than half of "
+                     "--femoral-radius")
+    if args.meniscal_radius > args.width:
+        parser.error("--meniscal-radius must not be more than --width")
+    if args.inner_edge <= args.clearance:
+        parser.error("--inner-edge must be more than --clearance")
+    drop = args.inner_edge - args.clearance
+    if drop * (2 * args.femoral_radius - drop) > 0.7 * args.meniscal_radius**2:
+        parser.error("--inner-edge leaves no room for the wedge")
+    if args.hole > 0.1 * args.width:
+        parser.error("--hole must be less than a tenth of --width")
+    mesh_script.check_output(parser, args.output)
+    return args
+
+
+def main(argv: list[str] | None = None) -> int:
+    args = parse(argv)
+
+    def build() -> dict[str, int]:
+        bodies = make_bodies(args)
+        knee_checks.check_quality(bodies)
+        names = sorted({s for body in bodies.values() for s in body.surfaces})
+        gmsh_bodies.assemble("meniscus_ring", bodies, REGIONS,
+                             {name: i for i, name in enumerate(names, 1)})
+        return REGIONS
+
+    return mesh_script.run("meniscus_ring.py", args.output, build,
+                           args.verbose, binary=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
