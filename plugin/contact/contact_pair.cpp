@@ -290,16 +290,35 @@ void ContactPair::Evaluate(const Vector &u, const Vector &p)
    }
 }
 
+real_t ContactPair::TouchingGap() const
+{
+   // Around the point where they touch, weighted gaps of round surfaces are a
+   // small part of the size of the faces.
+   constexpr real_t graze = 0.05;
+   real_t nearest = std::numeric_limits<real_t>::infinity();
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      if (operators.area[j] > 0.0 && gap[j] < graze * operators.face_size[j])
+      {
+         nearest = std::min(nearest, gap[j]);
+      }
+   }
+   nearest = -MaxOverRanks(-nearest, comm);
+   return std::isfinite(nearest) ? std::max(gap_tolerance, nearest)
+                                 : gap_tolerance;
+}
+
 bool ContactPair::UpdateActiveSet(bool keep_seals)
 {
    bool changed = false;
+   const real_t touching = assume_touching ? TouchingGap() : 0.0;
    for (int j = 0; j < active.Size(); j++)
    {
       const real_t area = operators.area[j];
       const real_t trial = multiplier[j] + penalty[j] * gap[j];
       const bool touches =
          area > 0.0 &&
-         (trial < 0.0 || (assume_touching && gap[j] < gap_tolerance) ||
+         (trial < 0.0 || (assume_touching && gap[j] <= touching) ||
           (release_nothing && active[j] > 0.5));
       const bool seals = area > 0.0 &&
                          area > sealing_coverage * destination_areas[j] &&
@@ -391,7 +410,7 @@ void ContactPair::StartAugmenting()
    last_jump = std::numeric_limits<real_t>::infinity();
 }
 
-void ContactPair::StiffenIfSlow(real_t peak_pressure)
+bool ContactPair::StiffenIfSlow(real_t peak_pressure)
 {
    // What an augmentation should at least do (Simo & Laursen, Comput Struct
    // 42:97-116, 1992), and how far penalties may go before round-off matters.
@@ -417,6 +436,7 @@ void ContactPair::StiffenIfSlow(real_t peak_pressure)
    {
       SetPenalties();
    }
+   return raised;
 }
 
 void ContactPair::Store(real_t time)

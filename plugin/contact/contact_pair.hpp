@@ -108,9 +108,10 @@ public:
    /// Evaluates gap and pressure jump at the given true dofs. Collective.
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p);
 
-   /// Lets the next UpdateActiveSet() take points within the gap tolerance for
-   /// touching, and hold them: a guess to start from where nothing is known of
-   /// the traction.
+   /// Lets the next UpdateActiveSet() take vertices within the gap tolerance
+   /// for touching, and hold them, and the nearest one in any case if it is as
+   /// near as round surfaces in contact at a point are: a guess to start from
+   /// where nothing is known of the traction.
    void AssumeTouching() { assume_touching = true; }
 
    /// Decides which vertices are in contact and which of them seal the surface,
@@ -151,8 +152,8 @@ public:
    /// To be called with each augmentation: raises the penalty of what is out of
    /// tolerance and has hardly become smaller since the last one. Penalties
    /// derived from the drained stiffness are too soft where a thin layer is
-   /// loaded at once, and holds its fluid. Collective.
-   void StiffenIfSlow(mfem::real_t peak_pressure);
+   /// loaded at once, and holds its fluid. Says whether it did. Collective.
+   bool StiffenIfSlow(mfem::real_t peak_pressure);
 
    /// Keeps the multipliers as those reached at @a time. The penalty's share of
    /// the traction goes into them.
@@ -202,6 +203,7 @@ public:
 
 private:
    void TakeMultipliers();
+   mfem::real_t TouchingGap() const;
    void SetPenalties();
    void Assemble();
    void StartFromMesh();

@@ -398,7 +398,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    }
    started = true;
    Drain(stage);
-   const ResidualTolerance tolerance = Tolerance(stage);
+   ResidualTolerance tolerance = Tolerance(stage);
    for (int augmentation = 0;; augmentation++)
    {
       if (!SolveContact(stage, tolerance))
@@ -430,12 +430,18 @@ bool BiphasicOperator::SolveStage(Stage &stage)
          return Fail("gap or pressure jump out of tolerance after " +
                      std::to_string(augmentation) + " augmentations" + left);
       }
+      bool stiffened = false;
       for (ContactPair *pair : pairs)
       {
          pair->Augment();
-         pair->StiffenIfSlow(peak);
+         stiffened = pair->StiffenIfSlow(peak) || stiffened;
       }
       UpdateContact(stage, false);
+      if (stiffened)
+      {
+         // Larger penalties make more round-off.
+         tolerance = Tolerance(stage);
+      }
       report.augmentations++;
    }
    for (ContactPair *pair : pairs)

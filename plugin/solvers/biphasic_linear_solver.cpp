@@ -89,8 +89,8 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
 {
    if (Choose(options, spaces) == LinearMethod::direct)
    {
-      preconditioner =
-         std::make_unique<DirectPreconditioner>(jacobian, options.renew_after);
+      preconditioner = std::make_unique<DirectPreconditioner>(
+         jacobian, comm, options.renew_after);
    }
    else
    {

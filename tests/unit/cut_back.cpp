@@ -175,7 +175,7 @@ TEST_CASE("A run with failed steps equals one without")
    }
    SECTION("because the active set does not settle")
    {
-      failing.max_newton = 5;
+      failing.max_newton = 3;
    }
    const std::vector<Row> failed = Solve(failing);
    CHECK(TotalFailures(failed) >= 1);
