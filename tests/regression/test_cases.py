@@ -176,7 +176,7 @@ def glenohumeral(run: Runs) -> None:
     rows = run(CASES / "glenohumeral.toml", mesh, "time.end=2", "time.step=0.5")
     last = rows[-1]
     check(last["contact.joint.force_z"] < 0, "the joint bears a load")
-    check(0.8 < last["contact.joint.fluid_load_support"] <= 1.05,
+    check(0.65 < last["contact.joint.fluid_load_support"] < 1.0,
           f"{100 * last['contact.joint.fluid_load_support']:.0f} % of the load "
           "is borne by the fluid")
     augmentations = sum(row["solver.augmentations"] for row in rows)

@@ -38,7 +38,7 @@ Vector Divide(const Vector &x, const Vector &diagonal)
    return y;
 }
 
-real_t Distance(const Vector &x, const Vector &y)
+real_t DistanceOf(const Vector &x, const Vector &y)
 {
    Vector difference(x);
    difference -= y;
@@ -86,13 +86,13 @@ TEST_CASE("A matrix changed by low rank is solved by way of the unchanged one")
       right_side.Add(amounts[i], columns[i].w);
    }
    Vector solution = Divide(right_side, diagonal);
-   REQUIRE(Distance(solution, exact) > 1.0);
+   REQUIRE(DistanceOf(solution, exact) > 1.0);
    update.Correct(solution);
-   CHECK(Distance(solution, exact) < 1e-8);
+   CHECK(DistanceOf(solution, exact) < 1e-8);
 
    update.Set({}, DenseMatrix());
    Vector as_it_is = Divide(right_side, diagonal);
    const Vector before(as_it_is);
    update.Correct(as_it_is);
-   CHECK(Distance(as_it_is, before) == 0.0);
+   CHECK(DistanceOf(as_it_is, before) == 0.0);
 }
