@@ -23,6 +23,7 @@
 // up to (a/L)^2 of a displacement that is small itself.
 
 #include "support/boxes.hpp"
+#include "support/traction_moments.hpp"
 #include "synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -160,29 +161,13 @@ Errors Solve(int lower_cells, int upper_cells)
    REQUIRE(report.converged);
 
    const ContactPair &pair = *problem.Operator().Pairs().front();
-   const Vector &traction = pair.Traction();
-   const Vector &area = pair.Operators().area;
-   ParFiniteElementSpace &space = problem.Spaces().Multiplier();
-   FunctionCoefficient squared([](const Vector &x)
-                               { return x[0] * x[0] + x[1] * x[1]; });
-   ParGridFunction field(&space);
-   field.ProjectCoefficient(squared);
-   Vector r2;
-   field.GetTrueDofs(r2);
-   real_t sums[2] = {0.0, 0.0};
-   for (int j = 0; j < traction.Size(); j++)
-   {
-      sums[0] -= traction[j] * area[j];
-      sums[1] -= traction[j] * area[j] * r2[j];
-   }
-   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPITypeMap<real_t>::mpi_type, MPI_SUM,
-                 mesh.GetComm());
    const ContactPair::Diagnostics now = pair.Diagnose();
    CHECK(stepper.Pressure().Normlinf() < 1e-6 * now.peak_traction);
    const Hertz hertz;
    Errors errors;
    errors.force = 4.0 * now.source_force[2] / hertz.force - 1.0;
-   errors.radius = std::sqrt(2.5 * sums[1] / sums[0]) / a - 1.0;
+   errors.radius =
+      std::sqrt(2.5 * MeasureTraction(problem).mean_square_radius) / a - 1.0;
    errors.peak = now.peak_traction / hertz.peak - 1.0;
    return errors;
 }

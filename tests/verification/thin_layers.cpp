@@ -16,7 +16,7 @@
 //
 // Deviations are of the order of h/a.
 
-#include "support/boxes.hpp"
+#include "support/traction_moments.hpp"
 #include "synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -167,24 +167,8 @@ struct Contact
 
 Contact Measure(BiphasicProblem &problem)
 {
-   const ContactPair &pair = *problem.Operator().Pairs().front();
-   const Vector &traction = pair.Traction();
-   const Vector &area = pair.Operators().area;
-   FunctionCoefficient squared([](const Vector &x)
-                               { return x[0] * x[0] + x[1] * x[1]; });
-   ParGridFunction field(&problem.Spaces().Multiplier());
-   field.ProjectCoefficient(squared);
-   Vector r2;
-   field.GetTrueDofs(r2);
-   real_t sums[2] = {0.0, 0.0};
-   for (int j = 0; j < traction.Size(); j++)
-   {
-      sums[0] -= traction[j] * area[j];
-      sums[1] -= traction[j] * area[j] * r2[j];
-   }
-   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPITypeMap<real_t>::mpi_type, MPI_SUM,
-                 problem.Mesh().GetComm());
-   return {4.0 * sums[0], std::sqrt(4.0 * sums[1] / sums[0])};
+   const TractionMoments moments = MeasureTraction(problem);
+   return {4.0 * moments.force, std::sqrt(4.0 * moments.mean_square_radius)};
 }
 
 /// The layers with their bones; what moves the upper one is to be added.
