@@ -14,6 +14,7 @@
 #include "io/step_diagnostics.hpp"
 #include "materials/isotropic_elastic.hpp"
 #include "materials/permeability_law.hpp"
+#include "materials/transversely_isotropic.hpp"
 #include "mesh/named_mesh.hpp"
 #include "physics/biphasic_problem.hpp"
 #include "solvers/time_stepper.hpp"

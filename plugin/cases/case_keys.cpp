@@ -49,11 +49,10 @@ KeyTable SolidKeys(SolidCase &solid)
    const char *const isotropic = "isotropic";
    const char *const fibres = "transversely_isotropic";
    KeyTable keys;
-   keys.Word<SolidModel>(
-      "model", solid.model,
-      {{isotropic, SolidModel::isotropic},
-       {std::string(fibres) + "*", SolidModel::transversely_isotropic}},
-      "law of the drained solid");
+   keys.Word<SolidModel>("model", solid.model,
+                         {{isotropic, SolidModel::isotropic},
+                          {fibres, SolidModel::transversely_isotropic}},
+                         "law of the drained solid");
    keys.Value("E", solid.young, stress, "Young's modulus")
       .OnlyFor(isotropic)
       .Required()
@@ -115,8 +114,11 @@ KeyTable FrameKeys(FrameCase &frame)
                         {{"cartesian", FrameType::cartesian},
                          {"cylindrical", FrameType::cylindrical}},
                         "kind of axes");
-   keys.Value("origin", frame.origin, length, "point on the axis");
-   keys.Value("axis", frame.axis, "", "direction of the axis");
+   keys.Value("origin", frame.origin, length,
+              "point on the axis of a cylindrical frame");
+   keys.Value("axis", frame.axis, "",
+              "axis of a cylindrical frame, about which fibres run; direction "
+              "of the fibres in a cartesian one");
    return keys;
 }
 
@@ -132,7 +134,8 @@ KeyTable MaterialKeys(MaterialCase &material)
              "volume fraction of the solid")
       .Inside(0.0, 1.0)
       .Named("the solid fraction");
-   keys.Table("frame", FrameKeys(material.frame), "").NotYet();
+   keys.Table("frame", FrameKeys(material.frame),
+              "axes r, theta, z of a transversely isotropic solid");
    return keys;
 }
 

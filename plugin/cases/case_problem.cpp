@@ -2,6 +2,7 @@
 #include "cases/body.hpp"
 #include "general/error.hpp"
 #include "materials/isotropic_elastic.hpp"
+#include "materials/transversely_isotropic.hpp"
 
 #include <map>
 
@@ -159,13 +160,29 @@ NamedMesh &Verified(const CaseFile &setup, NamedMesh &mesh)
    return mesh;
 }
 
-std::unique_ptr<SolidLaw> MakeSolid(const SolidCase &solid)
+std::unique_ptr<MaterialFrame> MakeFrame(const FrameCase &frame)
 {
-   if (solid.model != SolidModel::isotropic)
+   if (frame.type == FrameType::cylindrical)
    {
-      throw Error("only isotropic solids are supported yet");
+      return std::make_unique<CylindricalFrame>(frame.origin, frame.axis);
    }
-   return std::make_unique<IsotropicElastic>(solid.young, solid.poisson);
+   return std::make_unique<CartesianFrame>(frame.axis);
+}
+
+std::unique_ptr<SolidLaw> MakeSolid(const SolidCase &solid,
+                                    const MaterialFrame &frame)
+{
+   if (solid.model == SolidModel::isotropic)
+   {
+      return std::make_unique<IsotropicElastic>(solid.young, solid.poisson);
+   }
+   FibreConstants constants;
+   constants.young_r = solid.young_r;
+   constants.young_theta = solid.young_theta;
+   constants.poisson_rtheta = solid.poisson_rtheta;
+   constants.poisson_rz = solid.poisson_rz;
+   constants.shear_rtheta = solid.shear_rtheta;
+   return std::make_unique<TransverselyIsotropic>(constants, frame);
 }
 } // namespace
 
@@ -179,6 +196,7 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    reading.ThrowIfAny();
 
    SetMaterials(setup);
+   problem.VerifyMaterials();
    for (const BoundaryCase &boundary : setup.boundaries)
    {
       SetBoundary(boundary);
@@ -193,9 +211,20 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
 
 void CaseProblem::SetMaterials(const CaseFile &setup)
 {
-   for (const MaterialCase &material : setup.materials)
+   for (size_t i = 0; i < setup.materials.size(); i++)
    {
-      solids.push_back(MakeSolid(material.solid));
+      const MaterialCase &material = setup.materials[i];
+      try
+      {
+         frames.push_back(MakeFrame(material.frame));
+         solids.push_back(MakeSolid(material.solid, *frames.back()));
+      }
+      catch (const Error &error) // on all ranks alike
+      {
+         CaseReading reading(setup.places);
+         reading.Complain("material." + std::to_string(i), error.what());
+         reading.ThrowIfAny();
+      }
       permeabilities.push_back(
          std::make_unique<ConstantPermeability>(material.permeability.value));
       for (const std::string &region : material.regions)

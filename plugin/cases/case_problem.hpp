@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/case_file.hpp"
+#include "materials/material_frame.hpp"
 #include "mesh/named_mesh.hpp"
 #include "physics/biphasic_problem.hpp"
 
@@ -16,8 +17,9 @@ class CaseProblem
 {
 public:
    /// Borrows @a mesh. Collective. Throws Error that lists, with their places,
-   /// names that the mesh doesn't have, regions with two materials or none, and
-   /// bodies that neither displacements nor contact hold.
+   /// names that the mesh doesn't have, regions with two materials or none,
+   /// materials that make no sense, and bodies that neither displacements nor
+   /// contact hold.
    CaseProblem(const CaseFile &setup, NamedMesh &mesh);
 
    BiphasicProblem &Get() { return problem; }
@@ -28,6 +30,7 @@ private:
    void SetBoundary(const BoundaryCase &boundary);
 
    BiphasicProblem problem;
+   std::vector<std::unique_ptr<MaterialFrame>> frames;
    std::vector<std::unique_ptr<SolidLaw>> solids;
    std::vector<std::unique_ptr<PermeabilityLaw>> permeabilities;
 };

@@ -14,7 +14,6 @@ using namespace mfem;
 namespace
 {
 constexpr const char *auto_word = "auto";
-constexpr const char *not_yet = "this is not supported yet";
 
 constexpr const char *bare_letters = "abcdefghijklmnopqrstuvwxyz"
                                      "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -41,15 +40,6 @@ std::string DidYouMean(const std::string &name,
 {
    const std::string guess = Suggest(name, known);
    return guess.empty() ? "" : "; did you mean \"" + guess + "\"?";
-}
-
-std::vector<std::string> WithoutStars(std::vector<std::string> words)
-{
-   for (std::string &word : words)
-   {
-      word = word.substr(0, word.find('*'));
-   }
-   return words;
 }
 
 /// A number, or the word for one that is derived.
@@ -119,12 +109,6 @@ CaseKey &CaseKey::Required()
    return *this;
 }
 
-CaseKey &CaseKey::NotYet()
-{
-   supported = false;
-   return *this;
-}
-
 CaseKey &CaseKey::OnlyFor(const std::string &word)
 {
    only_for = word;
@@ -167,27 +151,20 @@ CaseKey &CaseKey::Inside(real_t least, real_t most)
 int ReadWord(const CaseValue &from, const std::string &path,
              const std::vector<std::string> &words, CaseReading &reading)
 {
-   const std::vector<std::string> plain = WithoutStars(words);
    if (from.type != CaseValue::Type::text)
    {
       reading.Expect(path, WordsType(words), from);
       return -1;
    }
-   const auto found = std::find(plain.begin(), plain.end(), from.text);
-   if (found == plain.end())
+   const auto found = std::find(words.begin(), words.end(), from.text);
+   if (found == words.end())
    {
       reading.Complain(path, "found " + from.Describe() + "; expected " +
                                 WordsType(words) +
-                                DidYouMean(from.text, plain));
+                                DidYouMean(from.text, words));
       return -1;
    }
-   const int i = static_cast<int>(found - plain.begin());
-   if (words[i] != plain[i])
-   {
-      reading.Complain(path, Quoted(plain[i]) + ": " + not_yet);
-      return -1;
-   }
-   return i;
+   return static_cast<int>(found - words.begin());
 }
 
 std::string WordsType(const std::vector<std::string> &words)
@@ -196,10 +173,7 @@ std::string WordsType(const std::vector<std::string> &words)
    for (size_t i = 0; i < words.size(); i++)
    {
       const bool last = i + 1 == words.size();
-      text += (i == 0 ? ""
-               : last ? " or "
-                      : ", ") +
-              Quoted(words[i].substr(0, words[i].find('*')));
+      text += (i == 0 ? "" : last ? " or " : ", ") + Quoted(words[i]);
    }
    return text;
 }
@@ -292,11 +266,7 @@ void KeyTable::ReadList(CaseKey &key, const CaseValue &from,
 void KeyTable::ReadKey(CaseKey &key, const CaseValue &from,
                        const std::string &path, CaseReading &reading)
 {
-   if (!key.supported)
-   {
-      reading.Complain(path, not_yet);
-   }
-   else if (key.value)
+   if (key.value)
    {
       key.value->Read(from, path, reading);
    }
@@ -346,7 +316,7 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
       {
          continue; // nobody knows for what
       }
-      if (given && !Applies(key) && key.supported)
+      if (given && !Applies(key))
       {
          reading.Complain(here, "this goes with " + Quoted(key.only_for) +
                                    ", not with " + Model());
@@ -358,7 +328,7 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
                                                   ? std::string()
                                                   : " (" + key.meaning + ")"));
       }
-      else if (!given && key.table && key.supported)
+      else if (!given && key.table)
       {
          CaseValue nothing;
          nothing.place = from.place;
@@ -372,7 +342,7 @@ void KeyTable::Check(const std::string &path, CaseReading &reading)
    for (CaseKey &key : keys)
    {
       const std::string here = Joined(path, key.name);
-      if (!key.supported || !Applies(key) || reading.Complained(here))
+      if (!Applies(key) || reading.Complained(here))
       {
          continue;
       }
@@ -400,7 +370,7 @@ TomlText KeyTable::Inline()
    std::string text;
    for (CaseKey &key : keys)
    {
-      if (!key.supported || !Applies(key) || key.list)
+      if (!Applies(key) || key.list)
       {
          continue;
       }
@@ -421,7 +391,7 @@ void KeyTable::Write(std::ostream &out, const std::string &path)
    { return key.list || (key.table && path.empty()); };
    for (CaseKey &key : keys)
    {
-      if (!has_section(key) && key.supported && Applies(key))
+      if (!has_section(key) && Applies(key))
       {
          const TomlText value =
             key.table ? key.table->Inline() : key.value->Text();
@@ -434,7 +404,7 @@ void KeyTable::Write(std::ostream &out, const std::string &path)
    for (CaseKey &key : keys)
    {
       const std::string here = Joined(path, key.name);
-      if (!has_section(key) || !key.supported)
+      if (!has_section(key))
       {
          continue;
       }
@@ -451,8 +421,7 @@ void KeyTable::Write(std::ostream &out, const std::string &path)
    }
 }
 
-void KeyTable::Collect(const std::string &path, bool supported,
-                       std::vector<Line> &lines)
+void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
 {
    for (CaseKey &key : keys)
    {
@@ -467,11 +436,6 @@ void KeyTable::Collect(const std::string &path, bool supported,
       {
          notes += "; for " + Quoted(key.only_for);
       }
-      const bool here_supported = supported && key.supported;
-      if (!here_supported)
-      {
-         notes += "; not supported yet";
-      }
       if (key.value)
       {
          lines.push_back(
@@ -481,13 +445,12 @@ void KeyTable::Collect(const std::string &path, bool supported,
       }
       if (key.table)
       {
-         key.table->Collect(here, here_supported, lines);
+         key.table->Collect(here, lines);
       }
       if (key.list)
       {
-         key.list->sample(
-            [&](KeyTable &sample)
-            { sample.Collect(here + ".N", here_supported, lines); });
+         key.list->sample([&](KeyTable &sample)
+                          { sample.Collect(here + ".N", lines); });
       }
    }
 }
@@ -495,7 +458,7 @@ void KeyTable::Collect(const std::string &path, bool supported,
 void KeyTable::List(std::ostream &out)
 {
    std::vector<Line> lines{{"key", "type", "default", "unit", "meaning"}};
-   Collect("", true, lines);
+   Collect("", lines);
    std::string Line::*const columns[] = {&Line::key, &Line::type,
                                          &Line::standard, &Line::unit};
    for (const auto column : columns)

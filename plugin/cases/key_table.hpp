@@ -53,8 +53,6 @@ struct CaseKey
    std::string noun;
    KeyRange range;
    bool required = false;
-   /// For what there is no code yet.
-   bool supported = true;
    /// Only where the table's key "model" or "type" is this word.
    std::string only_for;
 
@@ -73,7 +71,6 @@ struct CaseKey
    std::unique_ptr<List> list;
 
    CaseKey &Required();
-   CaseKey &NotYet();
    CaseKey &OnlyFor(const std::string &word);
    CaseKey &Named(const std::string &noun_);
    CaseKey &Positive();
@@ -83,8 +80,7 @@ struct CaseKey
    CaseKey &Inside(mfem::real_t least, mfem::real_t most);
 };
 
-/// The words that a key allows, and what each stands for. A word with a star at
-/// its end is one for which there is no code yet.
+/// The words that a key allows, and what each stands for.
 template <typename Enum>
 using KeyWords = std::vector<std::pair<std::string, Enum>>;
 
@@ -145,8 +141,7 @@ private:
    void ReadList(CaseKey &key, const CaseValue &from, const std::string &path,
                  CaseReading &reading);
    TomlText Inline();
-   void Collect(const std::string &path, bool supported,
-                std::vector<Line> &lines);
+   void Collect(const std::string &path, std::vector<Line> &lines);
 
    std::vector<CaseKey> keys;
 };
@@ -201,7 +196,7 @@ public:
       {
          if (meanings[i] == value)
          {
-            return Quoted(names[i].substr(0, names[i].find('*')));
+            return Quoted(names[i]);
          }
       }
       return std::nullopt;

@@ -2,6 +2,8 @@
 
 #include "mfem.hpp"
 
+#include <string>
+
 namespace synovia
 {
 
@@ -23,6 +25,12 @@ public:
    /// softest direction. It scales penalties, preconditioners, the gel time and
    /// the pressure stabilisation.
    virtual mfem::real_t AggregateModulus() const = 0;
+
+   /// Says what is wrong with the law in an element; empty if nothing is.
+   virtual std::string Objection(mfem::ElementTransformation &) const
+   {
+      return "";
+   }
 
    /// A typical shear modulus: it scales the pressure stabilisation.
    virtual mfem::real_t ShearModulus() const = 0;

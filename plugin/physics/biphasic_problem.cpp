@@ -178,6 +178,14 @@ void BiphasicProblem::VerifyMaterials() const
    {
       throw Error("no material is set for: " + missing);
    }
+   ParMesh &elements = mesh.Get();
+   std::string objection;
+   for (int i = 0; i < elements.GetNE() && objection.empty(); i++)
+   {
+      objection = materials.Get(elements.GetAttribute(i))
+                     .solid->Objection(*elements.GetElementTransformation(i));
+   }
+   ThrowIfAny(mesh.GetComm(), objection);
 }
 
 BiphasicOperator &BiphasicProblem::Operator()

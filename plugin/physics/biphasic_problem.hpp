@@ -81,7 +81,11 @@ public:
    BiphasicSpaces &Spaces() { return spaces; }
    const MaterialTable &Materials() const { return materials; }
 
-   /// Assembled at the first call. Throws Error if a region has no material.
+   /// Throws Error if a region has no material, or one that can't be evaluated
+   /// in one of its elements. Collective.
+   void VerifyMaterials() const;
+
+   /// Assembled at the first call, after VerifyMaterials().
    BiphasicOperator &Operator();
 
    /// Boundaries with prescribed or driven displacements, and which components
@@ -105,7 +109,6 @@ private:
    mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;
    Support &SupportOf(const std::string &boundary);
    void VerifyOpen() const;
-   void VerifyMaterials() const;
 
    NamedMesh &mesh;
    BiphasicSpaces spaces;

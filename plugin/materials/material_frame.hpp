@@ -1,0 +1,61 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include <array>
+#include <string>
+
+namespace synovia
+{
+
+/// The axes r, theta, z of an anisotropic material, orthonormal, in space.
+class MaterialFrame
+{
+public:
+   virtual ~MaterialFrame() = default;
+
+   /// Sets the 3 x 3 matrix with the axes as columns at a point of space.
+   virtual void GetAxes(const mfem::Vector &point,
+                        mfem::DenseMatrix &axes) const = 0;
+
+   /// Says what is wrong with the frame in an element; empty if nothing is.
+   virtual std::string Objection(mfem::ElementTransformation &) const
+   {
+      return "";
+   }
+};
+
+/// The same axes everywhere; theta is given, r and z are across it.
+class CartesianFrame : public MaterialFrame
+{
+public:
+   /// @a theta has any length; throws Error if that is zero.
+   explicit CartesianFrame(const std::array<mfem::real_t, 3> &theta);
+
+   void GetAxes(const mfem::Vector &point,
+                mfem::DenseMatrix &axes) const override;
+
+private:
+   mfem::DenseMatrix fixed_axes;
+};
+
+/// Axes around a straight line: z along it, r away from it, theta around it.
+class CylindricalFrame : public MaterialFrame
+{
+public:
+   /// A point on the line (length) and its direction, of any length; throws
+   /// Error if that is zero.
+   CylindricalFrame(const std::array<mfem::real_t, 3> &origin,
+                    const std::array<mfem::real_t, 3> &axis);
+
+   void GetAxes(const mfem::Vector &point,
+                mfem::DenseMatrix &axes) const override;
+   /// On the line r and theta mean nothing: it must not come near an element.
+   std::string Objection(mfem::ElementTransformation &trans) const override;
+
+private:
+   std::array<mfem::real_t, 3> origin;
+   std::array<mfem::real_t, 3> axis;
+};
+
+} // namespace synovia
