@@ -231,8 +231,7 @@ KeyTable ContactKeys(ContactCase &contact)
       {{"reference", SearchConfiguration::reference},
        {"current", SearchConfiguration::current}},
       "where the surfaces look for each other: as meshed, once, or as "
-      "deformed, "
-      "in every step, for large sliding");
+      "deformed, in every step, for large sliding");
    keys.Word<ContactNormal>(
       "normal", options.normal,
       {{"destination", ContactNormal::destination},

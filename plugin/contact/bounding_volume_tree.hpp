@@ -1,15 +1,12 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "general/point3.hpp"
 
-#include <array>
 #include <functional>
 #include <vector>
 
 namespace synovia
 {
-
-using Point3 = std::array<mfem::real_t, 3>;
 
 /// An axis-aligned box, empty until a point is added.
 struct Box

@@ -7,22 +7,6 @@ namespace synovia
 
 using namespace mfem;
 
-real_t Dot(const Point3 &a, const Point3 &b)
-{
-   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point3 Cross(const Point3 &a, const Point3 &b)
-{
-   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-           a[0] * b[1] - a[1] * b[0]};
-}
-
-Point3 Sum(const Point3 &a, real_t s, const Point3 &b)
-{
-   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
-
 DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
    : geometry(spaces.GetMesh().GetBdrElementGeometry(boundary_element)),
      element(spaces.Displacement().GetBE(boundary_element))

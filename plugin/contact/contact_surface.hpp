@@ -88,9 +88,4 @@ private:
    mfem::Array<int> m_tdofs;
 };
 
-mfem::real_t Dot(const Point3 &a, const Point3 &b);
-Point3 Cross(const Point3 &a, const Point3 &b);
-/// a + s b
-Point3 Sum(const Point3 &a, mfem::real_t s, const Point3 &b);
-
 } // namespace synovia

@@ -3,7 +3,6 @@
 #include "general/text.hpp"
 
 #include <cmath>
-#include <vector>
 
 namespace synovia
 {
@@ -12,11 +11,9 @@ using namespace mfem;
 
 namespace
 {
-using Axis = std::array<real_t, 3>;
-
-Axis Unit(const Axis &a, const std::string &what)
+Point3 Unit(const Point3 &a, const std::string &what)
 {
-   const real_t length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+   const real_t length = std::sqrt(Dot(a, a));
    if (!(length > 0.0) || !std::isfinite(length))
    {
       throw Error("the " + what + " is zero; give a vector");
@@ -24,13 +21,8 @@ Axis Unit(const Axis &a, const std::string &what)
    return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-Axis Product(const Axis &a, const Axis &b)
-{
-   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-           a[0] * b[1] - a[1] * b[0]};
-}
-
-void SetAxes(const Axis &r, const Axis &theta, const Axis &z, DenseMatrix &axes)
+void SetAxes(const Point3 &r, const Point3 &theta, const Point3 &z,
+             DenseMatrix &axes)
 {
    axes.SetSize(3);
    for (int d = 0; d < 3; d++)
@@ -42,9 +34,9 @@ void SetAxes(const Axis &r, const Axis &theta, const Axis &z, DenseMatrix &axes)
 }
 } // namespace
 
-CartesianFrame::CartesianFrame(const Axis &theta_)
+CartesianFrame::CartesianFrame(const Point3 &theta_)
 {
-   const Axis theta = Unit(theta_, "axis of a cartesian frame");
+   const Point3 theta = Unit(theta_, "axis of a cartesian frame");
    // Any direction that is far from theta leads to one across it.
    int smallest = 0;
    for (int d = 1; d < 3; d++)
@@ -54,10 +46,10 @@ CartesianFrame::CartesianFrame(const Axis &theta_)
          smallest = d;
       }
    }
-   Axis other{{0.0, 0.0, 0.0}};
+   Point3 other{{0.0, 0.0, 0.0}};
    other[smallest] = 1.0;
-   const Axis z = Unit(Product(other, theta), "");
-   SetAxes(Product(theta, z), theta, z, fixed_axes);
+   const Point3 z = Unit(Cross(other, theta), "");
+   SetAxes(Cross(theta, z), theta, z, fixed_axes);
 }
 
 void CartesianFrame::GetAxes(const Vector &, DenseMatrix &axes) const
@@ -65,77 +57,49 @@ void CartesianFrame::GetAxes(const Vector &, DenseMatrix &axes) const
    axes = fixed_axes;
 }
 
-CylindricalFrame::CylindricalFrame(const Axis &origin_, const Axis &axis_)
+CylindricalFrame::CylindricalFrame(const Point3 &origin_, const Point3 &axis_)
    : origin(origin_), axis(Unit(axis_, "axis of a cylindrical frame"))
 {
 }
 
+Point3 CylindricalFrame::FromLine(const Vector &point) const
+{
+   const Point3 r = Sum({point[0], point[1], point[2]}, -1.0, origin);
+   return Sum(r, -Dot(r, axis), axis);
+}
+
 void CylindricalFrame::GetAxes(const Vector &point, DenseMatrix &axes) const
 {
-   Axis r;
-   real_t along = 0.0;
-   for (int d = 0; d < 3; d++)
-   {
-      r[d] = point[d] - origin[d];
-      along += r[d] * axis[d];
-   }
-   real_t square = 0.0;
-   for (int d = 0; d < 3; d++)
-   {
-      r[d] -= along * axis[d];
-      square += r[d] * r[d];
-   }
-   const real_t distance = std::sqrt(square);
+   const Point3 r = FromLine(point);
+   const real_t distance = std::sqrt(Dot(r, r));
    MFEM_VERIFY(distance > 0.0, "a cylindrical frame has no r and theta on its "
                                "axis");
-   for (int d = 0; d < 3; d++)
-   {
-      r[d] /= distance;
-   }
-   SetAxes(r, Product(axis, r), axis, axes);
+   const Point3 outward{{r[0] / distance, r[1] / distance, r[2] / distance}};
+   SetAxes(outward, Cross(axis, outward), axis, axes);
 }
 
 std::string CylindricalFrame::Objection(ElementTransformation &trans) const
 {
    const Geometry::Type geometry = trans.GetGeometryType();
    const IntegrationRule &vertices = *Geometries.GetVertices(geometry);
-   std::vector<Axis> from_line;
-   for (int i = 0; i <= vertices.GetNPoints(); i++)
+   Vector centre;
+   trans.Transform(Geometries.GetCenter(geometry), centre);
+   const Point3 to_centre = FromLine(centre);
+   // Seen from the line, an element beside it is on one side of it.
+   bool beside = Dot(to_centre, to_centre) > 0.0;
+   for (int i = 0; i < vertices.GetNPoints(); i++)
    {
       Vector x;
-      trans.Transform(i < vertices.GetNPoints()
-                         ? vertices.IntPoint(i)
-                         : Geometries.GetCenter(geometry),
-                      x);
-      Axis r;
-      real_t along = 0.0;
-      for (int d = 0; d < 3; d++)
-      {
-         r[d] = x[d] - origin[d];
-         along += r[d] * axis[d];
-      }
-      for (int d = 0; d < 3; d++)
-      {
-         r[d] -= along * axis[d];
-      }
-      from_line.push_back(r);
+      trans.Transform(vertices.IntPoint(i), x);
+      beside = beside && Dot(FromLine(x), to_centre) > 0.0;
    }
-   // Seen from the line, an element beside it is on one side of it.
-   const Axis &centre = from_line.back();
-   for (const Axis &r : from_line)
-   {
-      if (!(r[0] * centre[0] + r[1] * centre[1] + r[2] * centre[2] > 0.0))
-      {
-         Vector x;
-         trans.Transform(Geometries.GetCenter(geometry), x);
-         return "the axis of its cylindrical frame runs through or along the "
-                "element at (" +
-                ToText(x[0]) + ", " + ToText(x[1]) + ", " + ToText(x[2]) +
-                "), where r and theta mean nothing; move the origin of the "
-                "frame off the body";
-      }
-   }
-   return "";
+   return beside ? ""
+                 : "the axis of its cylindrical frame runs through or along "
+                   "the element at (" +
+                      ToText(centre[0]) + ", " + ToText(centre[1]) + ", " +
+                      ToText(centre[2]) +
+                      "), where r and theta mean nothing; move the origin of "
+                      "the frame off the body";
 }
 
 } // namespace synovia

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "general/point3.hpp"
 
-#include <array>
 #include <string>
 
 namespace synovia
@@ -30,7 +29,7 @@ class CartesianFrame : public MaterialFrame
 {
 public:
    /// @a theta has any length; throws Error if that is zero.
-   explicit CartesianFrame(const std::array<mfem::real_t, 3> &theta);
+   explicit CartesianFrame(const Point3 &theta);
 
    void GetAxes(const mfem::Vector &point,
                 mfem::DenseMatrix &axes) const override;
@@ -45,8 +44,7 @@ class CylindricalFrame : public MaterialFrame
 public:
    /// A point on the line (length) and its direction, of any length; throws
    /// Error if that is zero.
-   CylindricalFrame(const std::array<mfem::real_t, 3> &origin,
-                    const std::array<mfem::real_t, 3> &axis);
+   CylindricalFrame(const Point3 &origin, const Point3 &axis);
 
    void GetAxes(const mfem::Vector &point,
                 mfem::DenseMatrix &axes) const override;
@@ -54,8 +52,11 @@ public:
    std::string Objection(mfem::ElementTransformation &trans) const override;
 
 private:
-   std::array<mfem::real_t, 3> origin;
-   std::array<mfem::real_t, 3> axis;
+   /// The vector to a point from the nearest one on the line.
+   Point3 FromLine(const mfem::Vector &point) const;
+
+   Point3 origin;
+   Point3 axis;
 };
 
 } // namespace synovia

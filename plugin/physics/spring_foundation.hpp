@@ -1,6 +1,7 @@
 #pragma once
 
-#include "contact/contact_surface.hpp"
+#include "general/point3.hpp"
+#include "physics/biphasic_spaces.hpp"
 
 #include <memory>
 
