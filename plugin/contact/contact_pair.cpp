@@ -158,6 +158,8 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
       v->SetSize(size);
       *v = 0.0;
    }
+   seal_opened.SetSize(size);
+   seal_opened = false;
    Accept();
 }
 
@@ -308,7 +310,18 @@ real_t ContactPair::TouchingGap() const
                                  : gap_tolerance;
 }
 
-bool ContactPair::UpdateActiveSet(bool keep_seals)
+void ContactPair::React()
+{
+   for (int j = 0; j < active.Size(); j++)
+   {
+      traction[j] = active[j] > 0.5 ? multiplier[j] + penalty[j] * gap[j] : 0.0;
+      flux[j] = sealing[j] > 0.5
+                   ? flux_multiplier[j] + pressure_penalty[j] * jump[j]
+                   : 0.0;
+   }
+}
+
+bool ContactPair::UpdateActiveSet()
 {
    bool changed = false;
    const real_t touching = assume_touching ? TouchingGap() : 0.0;
@@ -323,19 +336,18 @@ bool ContactPair::UpdateActiveSet(bool keep_seals)
       const bool seals = area > 0.0 &&
                          area > sealing_coverage * destination_areas[j] &&
                          (touches || gap[j] < gap_tolerance ||
-                          (keep_seals && sealing[j] > 0.5));
+                          (sealing[j] > 0.5 && seal_opened[j]));
+      seal_opened[j] = seal_opened[j] || (sealing[j] > 0.5 && !seals);
       changed =
          changed || touches != (active[j] > 0.5) || seals != (sealing[j] > 0.5);
       active[j] = touches ? 1.0 : 0.0;
       sealing[j] = seals ? 1.0 : 0.0;
-      traction[j] = touches ? trial : 0.0;
-      flux[j] =
-         seals ? flux_multiplier[j] + pressure_penalty[j] * jump[j] : 0.0;
       gap_weights[j] = touches ? area * penalty[j] : 0.0;
       jump_weights[j] = seals ? area * pressure_penalty[j] : 0.0;
    }
    assume_touching = false;
    release_nothing = false;
+   React();
    return AnyRank(changed, comm);
 }
 
@@ -404,10 +416,11 @@ void ContactPair::TakeMultipliers()
    }
 }
 
-void ContactPair::StartAugmenting()
+void ContactPair::StartStage()
 {
    last_penetration = std::numeric_limits<real_t>::infinity();
    last_jump = std::numeric_limits<real_t>::infinity();
+   seal_opened = false;
 }
 
 bool ContactPair::StiffenIfSlow(real_t peak_pressure)
@@ -573,6 +586,8 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
       result.pressure_jump =
          std::max(result.pressure_jump, sealing[j] * std::abs(jump[j]));
       result.peak_traction = std::max(result.peak_traction, -traction[j]);
+      result.peak_pressure =
+         std::max(result.peak_pressure, sealing[j] * pressure[j]);
       exchange += operators.area[j] * flux[j];
    }
    result.area = SumOverRanks(area, comm);
@@ -580,6 +595,7 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
    result.penetration = MaxOverRanks(result.penetration, comm);
    result.pressure_jump = MaxOverRanks(result.pressure_jump, comm);
    result.peak_traction = MaxOverRanks(result.peak_traction, comm);
+   result.peak_pressure = MaxOverRanks(result.peak_pressure, comm);
    return result;
 }
 

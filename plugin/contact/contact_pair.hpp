@@ -118,9 +118,13 @@ public:
    /// from the last Evaluate(). A vertex seals where the source covers it and
    /// no more than the gap tolerance is open: nothing drains through less, and
    /// a seal that broke with every tensile vertex would not let Newton's method
-   /// settle. With @a keep_seals no seal breaks. Collective; true if any rank's
-   /// set changed.
-   bool UpdateActiveSet(bool keep_seals = false);
+   /// settle. Nor would one that breaks and closes with the fluid's pressure
+   /// again and again: in a stage each may break once. Collective; true if any
+   /// rank's set changed.
+   bool UpdateActiveSet();
+
+   /// Traction and flux from the last Evaluate(), of the active set as it is.
+   void React();
 
    /// 1 for the vertices of either surface that this pair seals. Collective.
    mfem::Vector SealedVertices() const;
@@ -147,8 +151,8 @@ public:
    /// more than itself would else let go of all at once.
    void Augment();
 
-   /// Before the first augmentation of a stage.
-   void StartAugmenting();
+   /// Before the first UpdateActiveSet() of a stage.
+   void StartStage();
    /// To be called with each augmentation: raises the penalty of what is out of
    /// tolerance and has hardly become smaller since the last one. Penalties
    /// derived from the drained stiffness are too soft where a thin layer is
@@ -186,6 +190,8 @@ public:
       mfem::real_t penetration = 0.0;
       mfem::real_t pressure_jump = 0.0;
       mfem::real_t peak_traction = 0.0;
+      /// Of the destination's fluid, averaged over a vertex's surroundings.
+      mfem::real_t peak_pressure = 0.0;
       /// Fluid volume per time from the source into the destination.
       mfem::real_t fluid_exchange = 0.0;
    };
@@ -231,6 +237,8 @@ private:
    bool searched = false;
    bool assume_touching = false;
    bool release_nothing = false;
+   /// Seals that broke in this stage.
+   mfem::Array<bool> seal_opened;
    mfem::real_t time_step = std::numeric_limits<mfem::real_t>::infinity();
    bool reached = false;
 

@@ -67,6 +67,11 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
       spaces.GetMesh().GetBoundingBox(low, high);
       extent = high.DistanceTo(low);
    }
+   if (matrices.stabilisation)
+   {
+      smooth_stabilisation =
+         std::make_unique<SmoothStabilisation>(spaces, materials);
+   }
    for (const ContactPair *pair : pairs)
    {
       contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
@@ -122,12 +127,14 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
       k[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
    }
    rate = k;
+   rate_dt = dt;
    RecordBalance(stage);
 }
 
 void BiphasicOperator::AcceptStep()
 {
    accepted.rate = rate;
+   accepted.rate_dt = rate_dt;
    accepted.started = started;
    accepted.support = support;
    accepted.fluid = fluid;
@@ -141,6 +148,7 @@ void BiphasicOperator::AcceptStep()
 void BiphasicOperator::RejectStep()
 {
    rate = accepted.rate;
+   rate_dt = accepted.rate_dt;
    started = accepted.started;
    support = accepted.support;
    fluid = accepted.fluid;
@@ -158,6 +166,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
                         spaces.Offsets()[2] - spaces.Offsets()[1]);
    archive.Field("rate.displacement", spaces.Displacement(), velocity);
    archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
+   archive.Number("rate.length", accepted.rate_dt);
    archive.Flag("started", accepted.started);
    for (ContactPair *pair : pairs)
    {
@@ -166,6 +175,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
    if (archive.Reads())
    {
       rate = accepted.rate;
+      rate_dt = accepted.rate_dt;
       started = accepted.started;
    }
 }
@@ -193,14 +203,14 @@ void BiphasicOperator::Search(const Stage &stage)
    }
 }
 
-bool BiphasicOperator::UpdateContact(Stage &stage, bool keep_seals)
+bool BiphasicOperator::UpdateContact(Stage &stage)
 {
    bool changed = false;
    unsettled.clear();
    for (ContactPair *pair : pairs)
    {
       pair->Evaluate(stage.u, stage.p);
-      if (pair->UpdateActiveSet(keep_seals))
+      if (pair->UpdateActiveSet())
       {
          changed = true;
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
@@ -250,6 +260,12 @@ void BiphasicOperator::Drain(Stage &stage)
       drained.Sort();
    }
    jacobian->SetPressureDofs(drained);
+   for (ContactPair *pair : pairs)
+   {
+      // Drained pressures changed what there is to jump.
+      pair->Evaluate(stage.u, stage.p);
+      pair->React();
+   }
 }
 
 void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
@@ -278,6 +294,7 @@ void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
       Vector pressure_increment(stage.p);
       pressure_increment -= stage.p0;
       matrices.stabilisation->Mult(1.0, pressure_increment, 1.0, mass);
+      mass -= stage.relief;
    }
    mass.Add(stage.dt, exchange);
    mass.Add(-stage.dt, stage.mass_load);
@@ -362,6 +379,22 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    return tolerance;
 }
 
+Vector BiphasicOperator::FindRelief(const Stage &stage) const
+{
+   Vector relief(stage.p.Size());
+   relief = 0.0;
+   if (smooth_stabilisation)
+   {
+      const int nu = stage.u.Size();
+      const Vector pressure_rate(const_cast<Vector &>(rate), nu,
+                                 stage.p.Size());
+      smooth_stabilisation->Mult(pressure_rate, relief);
+      // After a jump the rate says nothing of a longer step.
+      relief *= std::min(stage.dt, rate_dt);
+   }
+   return relief;
+}
+
 bool BiphasicOperator::SolveStage(Stage &stage)
 {
    const int nu = stage.u0.Size();
@@ -378,6 +411,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    conditions.SetDisplacement(stage.time, stage.u);
    conditions.SetPressure(stage.time, stage.p);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
+   stage.relief = FindRelief(stage);
    jacobian->SetTimeStep(stage.dt);
    for (ContactPair *pair : pairs)
    {
@@ -387,7 +421,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    Search(stage);
    for (ContactPair *pair : pairs)
    {
-      pair->StartAugmenting();
+      pair->StartStage();
       pair->Predict(stage.time);
       pair->Evaluate(stage.u, stage.p);
       if (!started)
@@ -436,7 +470,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
          pair->Augment();
          stiffened = pair->StiffenIfSlow(peak) || stiffened;
       }
-      UpdateContact(stage, false);
+      UpdateContact(stage);
       if (stiffened)
       {
          // Larger penalties make more round-off.
@@ -456,9 +490,6 @@ bool BiphasicOperator::SolveContact(Stage &stage,
 {
    BlockVector residual(spaces.Offsets());
    BlockVector step(spaces.Offsets());
-   // Seals that switch back and forth with the contact would go on for ever;
-   // after so many iterations they only close.
-   constexpr int free_seals = 6;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
       ComputeResidual(stage, residual);
@@ -496,7 +527,7 @@ bool BiphasicOperator::SolveContact(Stage &stage,
       }
       stage.u += step.GetBlock(0);
       stage.p += step.GetBlock(1);
-      UpdateContact(stage, iteration >= free_seals);
+      UpdateContact(stage);
    }
    return Fail(unsettled.empty()
                   ? "Newton's method did not converge in " +

@@ -2,6 +2,7 @@
 
 #include "contact/contact_pair.hpp"
 #include "physics/boundary_conditions.hpp"
+#include "physics/smooth_stabilisation.hpp"
 #include "physics/volume_matrices.hpp"
 #include "solvers/biphasic_linear_solver.hpp"
 
@@ -118,12 +119,17 @@ private:
       mfem::Vector p;
       mfem::Vector momentum_load;
       mfem::Vector mass_load;
+      /// What the stabilisation must not take, in the step (volume).
+      mfem::Vector relief;
    };
 
    bool SolveStage(Stage &stage);
    bool SolveContact(Stage &stage, const ResidualTolerance &tolerance);
+   /// The effect of the stabilisation on the smooth part of the pressure's
+   /// change, which is taken to go on as it went in the last stage.
+   mfem::Vector FindRelief(const Stage &stage) const;
    void Search(const Stage &stage);
-   bool UpdateContact(Stage &stage, bool keep_seals);
+   bool UpdateContact(Stage &stage);
    void Drain(Stage &stage);
    void ComputeImbalance(const Stage &stage, mfem::Vector &momentum,
                          mfem::Vector &mass) const;
@@ -141,6 +147,8 @@ private:
    NonlinearOptions options;
    PhaseTimes times;
    VolumeMatrices matrices;
+   /// For order 1.
+   std::unique_ptr<SmoothStabilisation> smooth_stabilisation;
    RigidSurfaces rigid;
    /// Size of the mesh (length), where surfaces are driven.
    mfem::real_t extent = 0.0;
@@ -153,14 +161,17 @@ private:
    SolveReport report;
    /// Names of the pairs whose active set the last UpdateContact() changed.
    std::string unsettled;
-   /// Rate of the last stage, a first guess for the next one.
+   /// Rate of the last stage, a first guess for the next one, and the stage's
+   /// length.
    mfem::Vector rate;
+   mfem::real_t rate_dt = 0.0;
    bool started = false;
    mfem::Vector support;
    FluidBalance fluid;
    struct
    {
       mfem::Vector rate;
+      mfem::real_t rate_dt = 0.0;
       bool started = false;
       mfem::Vector support;
       FluidBalance fluid;

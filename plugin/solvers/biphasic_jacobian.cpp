@@ -147,7 +147,21 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::SchurComplement() const
    return schur;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::Assemble() const
+Vector BiphasicJacobian::Holding() const
+{
+   // Small enough to be taken back from a factorisation, and large beside what
+   // contact adds to the diagonal.
+   constexpr real_t large = 1e11;
+   const std::unique_ptr<HypreParMatrix> schur(
+      Add(1.0, *FlowBlock(), 1.0, *matrices.compliance));
+   Vector holding(schur->Height());
+   schur->GetDiag(holding);
+   holding *= large;
+   return holding;
+}
+
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::AssembleHeld(const Vector &holding) const
 {
    auto stiffness = std::make_unique<HypreParMatrix>(*matrices.stiffness);
    for (size_t i = 0; i < pairs.size(); i++)
@@ -158,12 +172,15 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::Assemble() const
    stiffness->EliminateBC(u_dofs, DIAG_ONE);
 
    HypreParMatrix divergence(*matrices.divergence);
-   divergence.EliminateRows(p_dofs);
    delete divergence.EliminateCols(u_dofs);
    const std::unique_ptr<HypreParMatrix> transpose(divergence.Transpose());
    const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
-   pressure->EliminateBC(p_dofs, DIAG_ONE);
-   // Prescribed rows come out as -1; a change of sign keeps quasi-definiteness.
+   SparseMatrix diagonal;
+   pressure->GetDiag(diagonal);
+   for (const int dof : p_dofs)
+   {
+      diagonal.Add(dof, dof, holding[dof]);
+   }
    Array2D<const HypreParMatrix *> blocks(2, 2);
    blocks(0, 0) = stiffness.get();
    blocks(0, 1) = transpose.get();

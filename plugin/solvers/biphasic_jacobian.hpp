@@ -49,8 +49,14 @@ public:
    /// approximation of the Schur complement, less its sign, but for the
    /// contact.
    std::unique_ptr<mfem::HypreParMatrix> SchurComplement() const;
-   /// The whole matrix, assembled.
-   std::unique_ptr<mfem::HypreParMatrix> Assemble() const;
+
+   /// Weights by true dof of the pressure that, on the diagonal, hold it at
+   /// zero for all that a preconditioner needs. They depend on the time step.
+   mfem::Vector Holding() const;
+   /// The whole matrix, assembled, with unit rows for prescribed displacements
+   /// and -@a holding on the diagonal for prescribed pressures.
+   std::unique_ptr<mfem::HypreParMatrix>
+   AssembleHeld(const mfem::Vector &holding) const;
 
    const mfem::Array<int> &Offsets() const { return offsets; }
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }

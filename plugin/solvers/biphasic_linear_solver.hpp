@@ -23,7 +23,7 @@ struct LinearOptions
    mfem::real_t relative_tolerance = 1e-8;
    int max_iterations = 300;
    /// Automatic: up to this many dofs, direct.
-   HYPRE_BigInt direct_below = 150000;
+   HYPRE_BigInt direct_below = 250000;
    /// A kept factorisation is renewed once the solves since took this many
    /// iterations more than they would have taken with a new one: about what a
    /// factorisation costs.

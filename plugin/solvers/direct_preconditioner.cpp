@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace synovia
 {
@@ -20,10 +19,39 @@ constexpr real_t like_step = 1.2;
 constexpr real_t other_weight = 0.5;
 // A column that differs by less than this part is taken for the one solved for.
 constexpr real_t like_column = 1e-2;
+// Cost of a column among many over that of a solve of its own, as measured for
+// 30,000 to 200,000 unknowns; and how many are solved for at once: their right
+// sides are gathered on one rank.
+constexpr real_t column_cost = 0.1;
+constexpr int batch = 64;
+// More make the dense part of the update slower than a solve.
+constexpr int most_columns = 1000;
 
 bool Differs(real_t a, real_t b)
 {
    return std::abs(a - b) > other_weight * std::max(a, b);
+}
+
+// |a - b|^2 and |b|^2 on this rank.
+std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
+                               const LowRankUpdate::Column &b)
+{
+   std::map<int, real_t> difference;
+   std::array<real_t, 2> squares{{0.0, 0.0}};
+   for (std::size_t i = 0; i < a.dofs.size(); i++)
+   {
+      difference[a.dofs[i]] += a.entries[i];
+   }
+   for (std::size_t i = 0; i < b.dofs.size(); i++)
+   {
+      difference[b.dofs[i]] -= b.entries[i];
+      squares[1] += b.entries[i] * b.entries[i];
+   }
+   for (const auto &entry : difference)
+   {
+      squares[0] += entry.second * entry.second;
+   }
+   return squares;
 }
 } // namespace
 
@@ -44,39 +72,43 @@ std::vector<DirectPreconditioner::Change>
 DirectPreconditioner::FindChanges() const
 {
    std::vector<Change> mine;
-   const auto compare = [&](const Vector &now, const Vector &then,
-                            const HypreParMatrix &rows, Kind kind, size_t pair)
+   const auto compare = [&](const Vector &now, const Vector &then, real_t scale,
+                            const HypreParMatrix &operator_, Kind kind,
+                            size_t pair)
    {
       for (int j = 0; j < now.Size(); j++)
       {
          if (Differs(now[j], then[j]))
          {
-            mine.push_back({kind, static_cast<int>(pair), rows.RowPart()[0] + j,
-                            now[j] - then[j]});
+            mine.push_back({{{kind, static_cast<HYPRE_BigInt>(pair),
+                              operator_.RowPart()[0] + j}},
+                            scale * (now[j] - then[j])});
          }
       }
    };
    for (size_t i = 0; i < jacobian.Pairs().size(); i++)
    {
       const ContactPair &pair = *jacobian.Pairs()[i];
-      compare(pair.GapWeights(), gap_weights[i], jacobian.Gap(i), gap_row, i);
-      compare(pair.JumpWeights(), jump_weights[i], *pair.Operators().jump,
-              jump_row, i);
+      compare(pair.GapWeights(), gap_weights[i], 1.0, jacobian.Gap(i), gap_row,
+              i);
+      compare(pair.JumpWeights(), jump_weights[i], -jacobian.TimeStep(),
+              *pair.Operators().jump, jump_row, i);
    }
    const HYPRE_BigInt first = jacobian.Volume().darcy->RowPart()[0];
    const auto add_missing =
-      [&](const Array<int> &from, const Array<int> &in, Kind kind)
+      [&](const Array<int> &from, const Array<int> &in, real_t sign)
    {
       for (const int dof : from)
       {
          if (in.FindSorted(dof) < 0)
          {
-            mine.push_back({kind, 0, first + dof, 0.0});
+            mine.push_back(
+               {{{held_pressure, 0, first + dof}}, sign * holding[dof]});
          }
       }
    };
-   add_missing(jacobian.PressureDofs(), p_dofs, drained);
-   add_missing(p_dofs, jacobian.PressureDofs(), sealed);
+   add_missing(jacobian.PressureDofs(), p_dofs, -1.0);
+   add_missing(p_dofs, jacobian.PressureDofs(), 1.0);
 
    int ranks = 1;
    MPI_Comm_size(comm, &ranks);
@@ -87,10 +119,7 @@ DirectPreconditioner::FindChanges() const
       all.insert(all.end(), part.begin(), part.end());
    }
    std::sort(all.begin(), all.end(),
-             [](const Change &a, const Change &b) {
-                return std::tie(a.kind, a.pair, a.row) <
-                       std::tie(b.kind, b.pair, b.row);
-             });
+             [](const Change &a, const Change &b) { return a.key < b.key; });
    return all;
 }
 
@@ -115,173 +144,139 @@ void DirectPreconditioner::Factorise()
       jump_weights.push_back(pair->JumpWeights());
    }
    outdated = false;
-   extra_solves = 0;
-   update.Set({}, DenseMatrix());
+   extra_solves = 0.0;
+   update.Set({}, Vector());
    columns.clear();
    // The old factors go first: two at once would double the peak of memory.
    factors.reset();
-   matrix = jacobian.Assemble();
+   holding = jacobian.Holding();
+   matrix = jacobian.AssembleHeld(holding);
    factors = MakeDirectSolver(*matrix, MatrixKind::symmetric);
 }
 
-Vector DirectPreconditioner::UnitPressure(HYPRE_BigInt dof) const
+const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
 {
-   const HYPRE_BigInt *part = jacobian.Volume().darcy->RowPart();
-   Vector unit(height);
-   unit = 0.0;
-   if (dof >= part[0] && dof < part[1])
+   std::unique_ptr<SparseMatrix> &table = rows[{kind, pair}];
+   if (!table)
    {
-      unit[jacobian.Offsets()[1] + static_cast<int>(dof - part[0])] = 1.0;
+      const HypreParMatrix &whole =
+         kind == gap_row ? jacobian.Gap(pair)
+                         : *jacobian.Pairs()[pair]->Operators().jump;
+      const std::unique_ptr<HypreParMatrix> transpose(whole.Transpose());
+      SparseMatrix mine;
+      transpose->MergeDiagAndOffd(mine);
+      table.reset(Transpose(mine));
    }
-   return unit;
+   return *table;
 }
 
-real_t DirectPreconditioner::Entry(const Vector &x, HYPRE_BigInt dof) const
+DirectPreconditioner::Column DirectPreconditioner::ColumnOf(const Key &key)
 {
-   return SumOverRanks(UnitPressure(dof) * x, comm);
+   Column column;
+   const Kind kind = static_cast<Kind>(key[0]);
+   if (kind == held_pressure)
+   {
+      const HYPRE_BigInt *part = jacobian.Volume().darcy->RowPart();
+      if (key[2] >= part[0] && key[2] < part[1])
+      {
+         column.dofs.push_back(jacobian.Offsets()[1] +
+                               static_cast<int>(key[2] - part[0]));
+         column.entries.push_back(1.0);
+      }
+      return column;
+   }
+   const SparseMatrix &table = Rows(kind, static_cast<int>(key[1]));
+   const int row = static_cast<int>(key[2]);
+   const int begin = jacobian.Offsets()[kind == gap_row ? 0 : 1];
+   for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
+   {
+      const int dof = table.GetJ()[i];
+      if (kind == jump_row || jacobian.DisplacementDofs().FindSorted(dof) < 0)
+      {
+         column.dofs.push_back(begin + dof);
+         column.entries.push_back(table.GetData()[i]);
+      }
+   }
+   return column;
 }
 
-Vector DirectPreconditioner::RowOf(const Change &change) const
+std::vector<DirectPreconditioner::Key>
+DirectPreconditioner::FindMissing(const std::vector<Change> &changes)
 {
-   const bool is_gap = change.kind == gap_row;
-   const HypreParMatrix &rows =
-      is_gap ? jacobian.Gap(change.pair)
-             : *jacobian.Pairs()[change.pair]->Operators().jump;
-   Vector unit(rows.Height());
-   unit = 0.0;
-   const HYPRE_BigInt *part = rows.RowPart();
-   if (change.row >= part[0] && change.row < part[1])
-   {
-      unit[static_cast<int>(change.row - part[0])] = 1.0;
-   }
-   Vector row(height);
-   row = 0.0;
-   const int begin = jacobian.Offsets()[is_gap ? 0 : 1];
-   Vector block(row, begin, rows.Width());
-   rows.MultTranspose(unit, block);
-   if (is_gap)
-   {
-      block.SetSubVector(jacobian.DisplacementDofs(), 0.0);
-   }
-   else
-   {
-      block.SetSubVector(p_dofs, 0.0);
-      block.SetSubVector(jacobian.PressureDofs(), 0.0);
-   }
-   return row;
-}
-
-// With F the dofs that are free both then and now, the matrix changes on F x F
-// by the rows with other weights. A pressure i that was free has the row A_f
-// e_i, which drains to a unit row; one that was drained gets that of the
-// present matrix. With a_i its part on F, both are a_i e_i^T + e_i a_i^T and
-// what is on the dofs that switch alone.
-bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
-{
-   // So many changes are cheaper to factorise.
-   if (static_cast<int>(changes.size()) > 2 * renew_after)
-   {
-      return false;
-   }
-   std::vector<Key> keys;
-   std::vector<Vector> wanted;
-   std::vector<size_t> switched;
-   std::vector<Vector> switched_rows;
+   std::vector<std::array<real_t, 2>> distances;
    for (const Change &change : changes)
    {
-      const Key key{{change.kind, change.pair, change.row, 0}};
-      keys.push_back(key);
-      if (change.kind == gap_row || change.kind == jump_row)
-      {
-         wanted.push_back(RowOf(change));
-         continue;
-      }
-      const Vector unit = UnitPressure(change.row);
-      Vector row(height);
-      if (change.kind == drained)
-      {
-         matrix->Mult(unit, row);
-         row.Neg();
-      }
-      else
-      {
-         jacobian.Mult(unit, row);
-      }
-      switched.push_back(wanted.size());
-      wanted.push_back(unit);
-      switched_rows.push_back(row);
+      const auto found = columns.find(change.key);
+      // A unit column has nothing that could differ.
+      const bool checked =
+         found != columns.end() && change.key[0] != held_pressure;
+      distances.push_back(checked
+                             ? Distance(found->second, ColumnOf(change.key))
+                             : std::array<real_t, 2>{{0.0, 0.0}});
    }
-   const size_t units_end = wanted.size();
-   DenseMatrix k(static_cast<int>(units_end + switched.size()));
-   k = 0.0;
-   for (size_t i = 0; i < units_end; i++)
+   MPI_Allreduce(MPI_IN_PLACE, distances.data(),
+                 2 * static_cast<int>(distances.size()),
+                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+   std::vector<Key> missing;
+   for (size_t i = 0; i < changes.size(); i++)
    {
-      const Change &change = changes[i];
-      if (change.kind == gap_row)
+      if (columns.count(changes[i].key) == 0 ||
+          distances[i][0] > like_column * like_column * distances[i][1])
       {
-         k(i, i) = change.weight;
-      }
-      else if (change.kind == jump_row)
-      {
-         k(i, i) = -jacobian.TimeStep() * change.weight;
+         missing.push_back(changes[i].key);
       }
    }
-   for (size_t s = 0; s < switched.size(); s++)
-   {
-      const size_t i = switched[s];
-      const size_t a = units_end + s;
-      Vector row(switched_rows[s]);
-      for (const size_t other : switched)
-      {
-         if (changes[other].kind == changes[i].kind)
-         {
-            k(i, other) = Entry(switched_rows[s], changes[other].row);
-         }
-         row.Add(-Entry(row, changes[other].row),
-                 UnitPressure(changes[other].row));
-      }
-      // Prescribed pressures have -1 on the diagonal.
-      k(i, i) += changes[i].kind == drained ? -1.0 : 1.0;
-      k(i, a) = k(a, i) = 1.0;
-      Key key = keys[i];
-      key[3] = 1;
-      keys.push_back(key);
-      wanted.push_back(row);
-   }
+   return missing;
+}
 
-   std::vector<bool> known(keys.size(), false);
-   int missing = 0;
-   for (size_t i = 0; i < keys.size(); i++)
+void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
+{
+   for (size_t begin = 0; begin < keys.size(); begin += batch)
    {
-      const auto found = columns.find(keys[i]);
-      if (found != columns.end())
+      const size_t end = std::min(begin + batch, keys.size());
+      std::vector<Vector> wanted;
+      Array<const Vector *> right_sides;
+      Array<Vector *> solutions;
+      wanted.reserve(end - begin);
+      for (size_t i = begin; i < end; i++)
       {
-         Vector difference(found->second.w);
-         difference -= wanted[i];
-         known[i] = InnerProduct(comm, difference, difference) <=
-                    like_column * like_column *
-                       InnerProduct(comm, wanted[i], wanted[i]);
+         Column &column = columns[keys[i]];
+         column = ColumnOf(keys[i]);
+         column.z.SetSize(height);
+         wanted.emplace_back(height);
+         wanted.back() = 0.0;
+         for (size_t k = 0; k < column.dofs.size(); k++)
+         {
+            wanted.back()[column.dofs[k]] = column.entries[k];
+         }
+         right_sides.Append(&wanted.back());
+         solutions.Append(&column.z);
       }
-      missing += known[i] ? 0 : 1;
+      factors->ArrayMult(right_sides, solutions);
    }
-   if (missing > renew_after)
+   extra_solves += column_cost * keys.size();
+}
+
+bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
+{
+   if (changes.size() > most_columns)
    {
       return false;
    }
-   std::vector<const LowRankUpdate::Column *> used;
-   for (size_t i = 0; i < keys.size(); i++)
+   const std::vector<Key> missing = FindMissing(changes);
+   if (extra_solves + column_cost * missing.size() > renew_after)
    {
-      LowRankUpdate::Column &column = columns[keys[i]];
-      if (!known[i])
-      {
-         column.w = wanted[i];
-         column.z.SetSize(height);
-         factors->Mult(column.w, column.z);
-         extra_solves++;
-      }
-      used.push_back(&column);
+      return false;
    }
-   update.Set(used, k);
+   AddColumns(missing);
+   std::vector<const Column *> used;
+   Vector weights(static_cast<int>(changes.size()));
+   for (size_t i = 0; i < changes.size(); i++)
+   {
+      used.push_back(&columns[changes[i].key]);
+      weights[static_cast<int>(i)] = changes[i].weight;
+   }
+   update.Set(used, weights);
    return true;
 }
 
@@ -294,8 +289,18 @@ bool DirectPreconditioner::Report(int iterations, bool converged)
 
 void DirectPreconditioner::Mult(const Vector &x, Vector &y) const
 {
-   factors->Mult(x, y);
+   const int begin = jacobian.Offsets()[1];
+   right_side = x;
+   for (const int dof : jacobian.PressureDofs())
+   {
+      right_side[begin + dof] = 0.0;
+   }
+   factors->Mult(right_side, y);
    update.Correct(y);
+   for (const int dof : jacobian.PressureDofs())
+   {
+      y[begin + dof] = x[begin + dof];
+   }
 }
 
 } // namespace synovia

@@ -12,11 +12,11 @@ namespace synovia
 /// A factorisation of the whole Jacobian, kept over steps and active sets.
 ///
 /// A changed active set differs from the one factorised by a matrix of low
-/// rank: a vertex that touches or leaves by rank one, a pressure that drains or
-/// is sealed by rank two. Each such change costs one solve (or two) when it
-/// first occurs, and nothing in the systems after that. What else changes, such
-/// as a slightly different time step, costs iterations. The factorisation is
-/// renewed when all that amounts to its cost.
+/// rank: each vertex that touches or leaves, each jump that is closed or open,
+/// each pressure that drains or is sealed makes one column. A column costs one
+/// solve, at a lower price among many, when it first occurs, and little after
+/// that. What else changes, such as a slightly different time step, costs
+/// iterations. The factorisation is renewed when all that amounts to its cost.
 class DirectPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -24,7 +24,7 @@ public:
    DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
                         int renew_after);
 
-   void ContactMoved() override {}
+   void ContactMoved() override { rows.clear(); }
    void Update() override;
    bool Report(int iterations, bool converged) override;
    int Patience() const override { return renew_after; }
@@ -35,47 +35,50 @@ private:
    {
       gap_row,
       jump_row,
-      /// Pressures that drain now but not when the matrix was factorised, and
-      /// the other way round.
-      drained,
-      sealed
+      held_pressure
    };
+   /// Which column: kind, pair, global row of the operator or global true dof
+   /// of the pressure.
+   using Key = std::array<HYPRE_BigInt, 3>;
    /// What differs from the matrix factorised; the same list on all ranks.
    struct Change
    {
-      int kind;
-      int pair;
-      /// Global row of the operator, or global true dof of the pressure.
-      HYPRE_BigInt row;
-      /// By how much the weight grew; 0 for pressures.
+      Key key;
       mfem::real_t weight;
    };
-   /// Kind, pair, row, and 1 for the second column of a pressure.
-   using Key = std::array<HYPRE_BigInt, 4>;
+   using Column = LowRankUpdate::Column;
 
    bool IsLikeFactorised() const;
    std::vector<Change> FindChanges() const;
    void Factorise();
+   /// False if that would cost more than a factorisation.
    bool Follow(const std::vector<Change> &changes);
-   mfem::Vector RowOf(const Change &change) const;
-   /// Unit vector of a global pressure dof.
-   mfem::Vector UnitPressure(HYPRE_BigInt dof) const;
-   mfem::real_t Entry(const mfem::Vector &x, HYPRE_BigInt dof) const;
+   /// Those that have no column yet, or another one. Collective.
+   std::vector<Key> FindMissing(const std::vector<Change> &changes);
+   /// Makes the columns, solved for in batches.
+   void AddColumns(const std::vector<Key> &keys);
+   /// Column of W; its z is left empty.
+   Column ColumnOf(const Key &key);
+   /// Global rows of a pair's gap or jump operator x local true dofs.
+   const mfem::SparseMatrix &Rows(Kind kind, int pair);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    int renew_after;
-   int extra_solves = 0;
+   mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;
    mfem::real_t dt = -1.0;
    std::vector<mfem::Vector> gap_weights;
    std::vector<mfem::Vector> jump_weights;
    mfem::Array<int> p_dofs;
+   mfem::Vector holding;
    std::unique_ptr<mfem::HypreParMatrix> matrix;
    std::unique_ptr<mfem::Solver> factors;
-   std::map<Key, LowRankUpdate::Column> columns;
+   std::map<std::pair<int, int>, std::unique_ptr<mfem::SparseMatrix>> rows;
+   std::map<Key, Column> columns;
    LowRankUpdate update;
+   mutable mfem::Vector right_side;
 };
 
 } // namespace synovia

@@ -1,12 +1,23 @@
 #include "solvers/low_rank_update.hpp"
 
+#include <cmath>
+
 namespace synovia
 {
 
 using namespace mfem;
 
-void LowRankUpdate::Set(std::vector<const Column *> columns_,
-                        const DenseMatrix &k)
+real_t LowRankUpdate::Column::Times(const Vector &x) const
+{
+   real_t sum = 0.0;
+   for (std::size_t i = 0; i < dofs.size(); i++)
+   {
+      sum += entries[i] * x[dofs[i]];
+   }
+   return sum;
+}
+
+void LowRankUpdate::Set(std::vector<const Column *> columns_, const Vector &k)
 {
    columns = std::move(columns_);
    const int n = static_cast<int>(columns.size());
@@ -14,25 +25,25 @@ void LowRankUpdate::Set(std::vector<const Column *> columns_,
    {
       return;
    }
-   DenseMatrix products(n);
-   for (int i = 0; i < n; i++)
+   middle.SetSize(n);
+   for (int j = 0; j < n; j++)
    {
-      for (int j = 0; j < n; j++)
+      for (int i = 0; i < n; i++)
       {
-         products(i, j) = columns[i]->w * columns[j]->z;
+         middle(i, j) = columns[i]->Times(columns[j]->z);
       }
    }
-   MPI_Allreduce(MPI_IN_PLACE, products.Data(), n * n,
+   MPI_Allreduce(MPI_IN_PLACE, middle.Data(), n * n,
                  MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
-   DenseMatrix sum(n);
-   Mult(products, k, sum);
+   scale.SetSize(n);
    for (int i = 0; i < n; i++)
    {
-      sum(i, i) += 1.0;
+      scale[i] = 1.0 / std::sqrt(std::abs(1.0 / k[i]) + std::abs(middle(i, i)));
+      middle(i, i) += 1.0 / k[i];
    }
-   sum.Invert();
-   middle.SetSize(n);
-   Mult(k, sum, middle);
+   middle.LeftScaling(scale);
+   middle.RightScaling(scale);
+   inverse = std::make_unique<DenseMatrixInverse>(middle);
 }
 
 void LowRankUpdate::Correct(Vector &y) const
@@ -45,12 +56,14 @@ void LowRankUpdate::Correct(Vector &y) const
    Vector parts(n);
    for (int i = 0; i < n; i++)
    {
-      parts[i] = columns[i]->w * y;
+      parts[i] = columns[i]->Times(y);
    }
    MPI_Allreduce(MPI_IN_PLACE, parts.GetData(), n, MPITypeMap<real_t>::mpi_type,
                  MPI_SUM, comm);
+   parts *= scale;
    Vector amounts(n);
-   middle.Mult(parts, amounts);
+   inverse->Mult(parts, amounts);
+   amounts *= scale;
    for (int i = 0; i < n; i++)
    {
       y.Add(-amounts[i], columns[i]->z);

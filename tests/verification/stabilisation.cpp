@@ -132,7 +132,8 @@ Vector SolveStep(BiphasicProblem &problem, bool stabilised, real_t dt)
                              conditions.DisplacementDofs(), none);
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(conditions.PressureDofs());
-   const std::unique_ptr<HypreParMatrix> matrix = jacobian.Assemble();
+   const std::unique_ptr<HypreParMatrix> matrix =
+      jacobian.AssembleHeld(jacobian.Holding());
    const std::unique_ptr<Solver> solver =
       MakeDirectSolver(*matrix, MatrixKind::symmetric);
 
