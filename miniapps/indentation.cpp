@@ -59,8 +59,6 @@ struct Options
    int fields_every = 10;
    bool rigid = false;
 
-   /// Returns false, having printed the options, if that was asked for. Throws
-   /// Error if a word is off.
    bool Parse(int argc, char *argv[])
    {
       OptionsParser args(argc, argv);
@@ -92,59 +90,9 @@ struct Options
       args.AddOption(&check, "-c", "--check",
                      "Fail if a force differs from the exact one by more than "
                      "this fraction.");
-      args.Parse();
-      if (args.Help() && Mpi::Root())
-      {
-         args.PrintHelp(std::cout);
-      }
-      if (!args.Good() && !args.Help())
-      {
-         std::ostringstream problem;
-         args.PrintError(problem);
-         std::string text = problem.str();
-         text.erase(0, text.find_first_not_of(" \n"));
-         text.erase(text.find_last_not_of(" \n") + 1);
-         throw Error(text + "; --help lists the options");
-      }
-      return args.Good();
+      return ParseCommandLine(args);
    }
 };
-
-TimeScheme ParseScheme(const std::string &name)
-{
-   if (name == "backward_euler")
-   {
-      return TimeScheme::backward_euler;
-   }
-   if (name == "sdirk23")
-   {
-      return TimeScheme::sdirk23;
-   }
-   if (name == "sdirk33")
-   {
-      return TimeScheme::sdirk33;
-   }
-   throw Error("no time scheme is named \"" + name +
-               "\"; there are: backward_euler, sdirk23, sdirk33");
-}
-
-LinearMethod ParseSolver(const std::string &name)
-{
-   if (name == "auto")
-   {
-      return LinearMethod::automatic;
-   }
-   if (name == "block_amg")
-   {
-      return LinearMethod::block_amg;
-   }
-   if (name == "direct")
-   {
-      return LinearMethod::direct;
-   }
-   throw Error("no linear solver is named \"" + name +
-               "\"; there are: auto, block_amg, direct");
-}
 
 // What the paper's figures show.
 std::vector<LineCase> PaperProfiles()
@@ -231,8 +179,8 @@ CaseFile MakeCase(const Options &options)
 
    setup.time.step = options.step;
    setup.time.end = options.end;
-   setup.time.scheme = ParseScheme(options.scheme);
-   setup.solver.linear.method = ParseSolver(options.solver);
+   setup.time.scheme = TimeSchemeNamed(options.scheme);
+   setup.solver.linear.method = LinearMethodNamed(options.solver);
    setup.solver.active_set_tolerance = options.active_set_tolerance;
    setup.output.directory = options.output;
    setup.output.fields_every = options.fields_every;

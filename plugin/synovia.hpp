@@ -1,7 +1,9 @@
 #pragma once
 
 #include "cases/case_file.hpp"
+#include "cases/case_words.hpp"
 #include "cases/simulation.hpp"
+#include "general/command_line.hpp"
 #include "general/error.hpp"
 #include "general/load_curve.hpp"
 #include "general/stop_request.hpp"
@@ -16,5 +18,6 @@
 #include "materials/permeability_law.hpp"
 #include "materials/transversely_isotropic.hpp"
 #include "mesh/named_mesh.hpp"
+#include "mesh/surface_centre.hpp"
 #include "physics/biphasic_problem.hpp"
 #include "solvers/time_stepper.hpp"

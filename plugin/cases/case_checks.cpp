@@ -83,6 +83,35 @@ void CheckFileName(const std::string &name, const std::string &path,
    }
 }
 
+// Where the axis of a frame is must be said once, and of a cylindrical one.
+void CheckFrame(const FrameCase &frame, const std::string &path,
+                CaseReading &reading)
+{
+   const auto check = [&](const std::vector<std::string> &surfaces,
+                          const std::string &key, bool also)
+   {
+      if (surfaces.empty())
+      {
+         return;
+      }
+      CheckNames(surfaces, path + "." + key, "surface", reading);
+      if (frame.type != FrameType::cylindrical)
+      {
+         reading.Complain(path + "." + key,
+                          "only a cylindrical frame has an axis somewhere; "
+                          "give type = \"cylindrical\", or leave it out");
+      }
+      else if (also || frame.HasOrigin())
+      {
+         reading.Complain(path + "." + key,
+                          "the axis is said to be somewhere else too; give "
+                          "one of origin, between, around");
+      }
+   };
+   check(frame.between, "between", false);
+   check(frame.around, "around", !frame.between.empty());
+}
+
 void CheckMaterials(const CaseFile &setup, CaseReading &reading)
 {
    if (setup.materials.empty() && !reading.Complained("material"))
@@ -96,6 +125,8 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
       const std::string path = Path("material", i, "regions");
       const std::vector<std::string> &regions = setup.materials[i].regions;
       CheckNames(regions, path, "region", reading);
+      CheckFrame(setup.materials[i].frame, Path("material", i, "frame"),
+                 reading);
       const std::set<std::string> distinct(regions.begin(), regions.end());
       for (const std::string &region : distinct)
       {

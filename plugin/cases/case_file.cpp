@@ -30,6 +30,16 @@ bool SpringCase::Holds(int component) const
    return stiffness > 0.0 && (!IsDirected() || direction[component] != 0.0);
 }
 
+bool FrameCase::HasOrigin() const
+{
+   return !IsZero(origin);
+}
+
+bool BoundaryCase::Holds(int component) const
+{
+   return displacement[component].has_value() || spring.Holds(component);
+}
+
 bool ForceCase::IsDirected() const
 {
    return !IsZero(direction);

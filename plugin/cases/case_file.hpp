@@ -69,6 +69,13 @@ struct FrameCase
 {
    FrameType type = FrameType::cartesian;
    std::array<mfem::real_t, 3> origin{{0.0, 0.0, 0.0}};
+   /// Surfaces midway between whose centres the origin is instead.
+   std::vector<std::string> between;
+   /// Surfaces the origin is at the centre of instead: of the circle that fits
+   /// them best, seen along the axis.
+   std::vector<std::string> around;
+
+   bool HasOrigin() const;
    std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
 };
 
@@ -120,6 +127,9 @@ struct BoundaryCase
    std::optional<LoadCurve> normal_flux;
    SpringCase spring;
    ForceCase force;
+
+   /// Whether a displacement or springs resist motion along that axis.
+   bool Holds(int component) const;
 };
 
 struct ContactCase

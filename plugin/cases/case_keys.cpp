@@ -116,6 +116,12 @@ KeyTable FrameKeys(FrameCase &frame)
                         "kind of axes");
    keys.Value("origin", frame.origin, length,
               "point on the axis of a cylindrical frame");
+   keys.Value("between", frame.between, "",
+              "instead of the origin: it is midway between the centres of "
+              "these surfaces");
+   keys.Value("around", frame.around, "",
+              "instead of the origin: it is at the centre of the circle that "
+              "fits these surfaces, seen along the axis");
    keys.Value("axis", frame.axis, "",
               "axis of a cylindrical frame, about which fibres run; direction "
               "of the fibres in a cartesian one");
@@ -258,10 +264,7 @@ KeyTable TimeKeys(TimeOptions &time)
       .Required()
       .Positive()
       .Named("the time step");
-   keys.Word<TimeScheme>("scheme", time.scheme,
-                         {{"backward_euler", TimeScheme::backward_euler},
-                          {"sdirk23", TimeScheme::sdirk23},
-                          {"sdirk33", TimeScheme::sdirk33}},
+   keys.Word<TimeScheme>("scheme", time.scheme, TimeSchemeWords(),
                          "how time is discretised");
    keys.Value("adaptive", time.adaptive, "",
               "whether the length of steps follows from the error");
@@ -282,10 +285,7 @@ KeyTable SolverKeys(NonlinearOptions &solver)
 {
    LinearOptions &linear = solver.linear;
    KeyTable keys;
-   keys.Word<LinearMethod>("linear", linear.method,
-                           {{"auto", LinearMethod::automatic},
-                            {"block_amg", LinearMethod::block_amg},
-                            {"direct", LinearMethod::direct}},
+   keys.Word<LinearMethod>("linear", linear.method, LinearMethodWords(),
                            "how the linear systems are preconditioned");
    keys
       .Value("linear_tolerance", linear.relative_tolerance, "",

@@ -3,6 +3,7 @@
 #include "general/error.hpp"
 #include "materials/isotropic_elastic.hpp"
 #include "materials/transversely_isotropic.hpp"
+#include "mesh/surface_centre.hpp"
 
 #include <map>
 
@@ -81,6 +82,9 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
                                 WhereIs(reading.Places(), first->second) + ")");
          }
       }
+      const FrameCase &frame = setup.materials[i].frame;
+      names.Boundaries(frame.between, Path("material", i, "frame.between"));
+      names.Boundaries(frame.around, Path("material", i, "frame.around"));
    }
    for (const int region : mesh.Get().attributes)
    {
@@ -110,7 +114,7 @@ Surfaces CheckSurfaces(const CaseFile &setup, NameCheck &names)
          names.Boundaries(boundary.surfaces, Path("boundary", i, "surfaces"));
       for (int d = 0; d < 3; d++)
       {
-         if (boundary.displacement[d] || boundary.spring.Holds(d))
+         if (boundary.Holds(d))
          {
             surfaces.held[d].Append(found);
          }
@@ -160,11 +164,37 @@ NamedMesh &Verified(const CaseFile &setup, NamedMesh &mesh)
    return mesh;
 }
 
-std::unique_ptr<MaterialFrame> MakeFrame(const FrameCase &frame)
+Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
+{
+   if (!frame.around.empty())
+   {
+      Array<int> surfaces;
+      for (const std::string &surface : frame.around)
+      {
+         surfaces.Append(mesh.Boundary(surface));
+      }
+      return CentreOfCircle(mesh.Get(), surfaces, frame.axis);
+   }
+   if (frame.between.empty())
+   {
+      return frame.origin;
+   }
+   Point3 origin{{0.0, 0.0, 0.0}};
+   for (const std::string &surface : frame.between)
+   {
+      origin = Sum(origin, 1.0 / frame.between.size(),
+                   CentreOfArea(mesh.Get(), mesh.Boundary(surface)));
+   }
+   return origin;
+}
+
+std::unique_ptr<MaterialFrame> MakeFrame(const FrameCase &frame,
+                                         NamedMesh &mesh)
 {
    if (frame.type == FrameType::cylindrical)
    {
-      return std::make_unique<CylindricalFrame>(frame.origin, frame.axis);
+      return std::make_unique<CylindricalFrame>(FindOrigin(frame, mesh),
+                                                frame.axis);
    }
    return std::make_unique<CartesianFrame>(frame.axis);
 }
@@ -216,7 +246,7 @@ void CaseProblem::SetMaterials(const CaseFile &setup)
       const MaterialCase &material = setup.materials[i];
       try
       {
-         frames.push_back(MakeFrame(material.frame));
+         frames.push_back(MakeFrame(material.frame, problem.Mesh()));
          solids.push_back(MakeSolid(material.solid, *frames.back()));
       }
       catch (const Error &error) // on all ranks alike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/case_codec.hpp"
+#include "cases/case_words.hpp"
 
 #include <functional>
 #include <iosfwd>
@@ -79,10 +80,6 @@ struct CaseKey
    CaseKey &From(mfem::real_t least, mfem::real_t most);
    CaseKey &Inside(mfem::real_t least, mfem::real_t most);
 };
-
-/// The words that a key allows, and what each stands for.
-template <typename Enum>
-using KeyWords = std::vector<std::pair<std::string, Enum>>;
 
 /// The keys of a table, bound to the members of a struct that must outlive it.
 ///

@@ -372,7 +372,7 @@ void ProblemReport::WarnOfBodies(const CaseFile &setup, CaseProblem &problem)
          {
             for (const std::string &surface : boundary.surfaces)
             {
-               if (boundary.displacement[d])
+               if (boundary.Holds(d))
                {
                   held.Append(mesh.Boundary(surface));
                }

@@ -36,6 +36,7 @@ void AddContact(History::Row &row, const ContactPair &pair)
    row.emplace_back(prefix + "penetration", now.penetration);
    row.emplace_back(prefix + "pressure_jump", now.pressure_jump);
    row.emplace_back(prefix + "peak_traction", now.peak_traction);
+   row.emplace_back(prefix + "peak_pressure", now.peak_pressure);
    row.emplace_back(prefix + "fluid_exchange", now.fluid_exchange);
 }
 } // namespace

@@ -14,6 +14,7 @@ namespace synovia
 ///     contact.<pair>.force_x|y|z       on the destination
 ///     contact.<pair>.source_force_x|y|z, .force_error (both sides' sum)
 ///     contact.<pair>.area, .penetration, .pressure_jump, .peak_traction,
+///     .peak_pressure (of the destination's sealed vertices),
 ///     .fluid_exchange (volume / time, from source to destination)
 ///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
 ///     fluid.peak_pressure

@@ -1,0 +1,54 @@
+#include "cases/case_words.hpp"
+#include "general/error.hpp"
+
+namespace synovia
+{
+
+namespace
+{
+template <typename Enum>
+Enum Find(const KeyWords<Enum> &words, const std::string &what,
+          const std::string &word)
+{
+   std::string all;
+   for (const auto &[known, value] : words)
+   {
+      if (known == word)
+      {
+         return value;
+      }
+      all += (all.empty() ? "" : ", ") + known;
+   }
+   throw Error("no " + what + " is named \"" + word + "\"; there are: " + all);
+}
+} // namespace
+
+const KeyWords<TimeScheme> &TimeSchemeWords()
+{
+   static const KeyWords<TimeScheme> words{
+      {"backward_euler", TimeScheme::backward_euler},
+      {"sdirk23", TimeScheme::sdirk23},
+      {"sdirk33", TimeScheme::sdirk33}};
+   return words;
+}
+
+const KeyWords<LinearMethod> &LinearMethodWords()
+{
+   static const KeyWords<LinearMethod> words{
+      {"auto", LinearMethod::automatic},
+      {"block_amg", LinearMethod::block_amg},
+      {"direct", LinearMethod::direct}};
+   return words;
+}
+
+TimeScheme TimeSchemeNamed(const std::string &word)
+{
+   return Find(TimeSchemeWords(), "time scheme", word);
+}
+
+LinearMethod LinearMethodNamed(const std::string &word)
+{
+   return Find(LinearMethodWords(), "linear solver", word);
+}
+
+} // namespace synovia
