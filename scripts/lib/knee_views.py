@@ -5,7 +5,7 @@ from __future__ import annotations
 import pyvista as pv
 
 import solid_view
-from solid_view import Picture, View
+from solid_view import Extent, Picture, View
 
 COLOURS = {"femoral_cartilage": "#e6cba6", "tibial_cartilage": "#86b4cf",
            "meniscus": "#b5473a"}
@@ -18,16 +18,23 @@ INFERIOR = View(towards=(0, 0, -1), up=(0, 1, 0))
 Bodies = dict[str, pv.DataSet]
 
 
-def mesh(bodies: Bodies, view: View, width: int) -> Picture:
+def mesh(bodies: Bodies, view: View, width: int,
+         extent: Extent | None = None) -> Picture:
     """The elements of the bodies, in the colours of their tissues."""
     solids = []
     for name, body in bodies.items():
-        colour = next(c for kind, c in COLOURS.items() if name.startswith(kind))
-        solids.append((body, {
-            "color": colour, "show_edges": True, "line_width": 1,
+        # Also curved elements are drawn as one face each, within its edges.
+        faces = body.extract_surface(nonlinear_subdivision=0)
+        solids.append((faces, {
+            "color": colour_of(name), "show_edges": True, "line_width": 1,
             "edge_color": "#303030", "ambient": 0.25, "diffuse": 0.75,
             "specular": 0.1}))
-    return solid_view.draw(solids, view, width)
+    return solid_view.draw(solids, view, width, extent)
+
+
+def colour_of(body: str) -> str:
+    return next(colour for tissue, colour in COLOURS.items()
+                if body.startswith(tissue))
 
 
 def without_femur(bodies: Bodies) -> Bodies:
