@@ -19,7 +19,6 @@ those of the whole joint, also where a quarter was modelled.
 
 from __future__ import annotations
 
-import argparse
 import functools
 import pathlib
 import sys
@@ -29,6 +28,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 import numpy as np  # noqa: E402
 
 import figure_style as style  # noqa: E402
+import plot_script  # noqa: E402
 import section  # noqa: E402
 from figure_style import plt  # noqa: E402
 from synovia_output import Output, OutputError, Table  # noqa: E402
@@ -241,26 +241,14 @@ def draw(joint: Joint, folder: pathlib.Path) -> None:
     plt.close(figure)
 
 
+def pictures(out: Output, folder: pathlib.Path) -> str:
+    joint = Joint(out)
+    draw(joint, folder)
+    return findings(joint)
+
+
 def main(argv: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out", type=pathlib.Path, metavar="OUT",
-                        help="output directory of the run")
-    parser.add_argument("-o", "--output", type=pathlib.Path,
-                        help="directory for the pictures (default: OUT)")
-    args = parser.parse_args(argv)
-    try:
-        folder = args.output or args.out
-        joint = Joint(Output(args.out))
-        folder.mkdir(parents=True, exist_ok=True)
-        draw(joint, folder)
-        print(findings(joint))
-    except (OutputError, OSError) as error:
-        print(f"plot_glenohumeral.py: error: {error}", file=sys.stderr)
-        return 1
-    print(f"wrote {folder / 'glenohumeral.png'} and a picture of each panel")
-    return 0
+    return plot_script.run(argv, __doc__, "glenohumeral", pictures)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,6 @@ width (tests/reference). Units are mm, N, s, MPa; tension is positive.
 
 from __future__ import annotations
 
-import argparse
 import pathlib
 import sys
 
@@ -26,10 +25,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 import numpy as np  # noqa: E402
 
 import figure_style as style  # noqa: E402
+import plot_script  # noqa: E402
 import section  # noqa: E402
 from figure_style import plt  # noqa: E402
 from synovia_output import (  # noqa: E402
-    Output, OutputError, interpolate, reference)
+    Output, interpolate, reference)
 
 RADIUS = 0.75           # of the indenter, mm
 THICKNESS = 0.75        # of the cartilage, mm
@@ -204,26 +204,13 @@ def draw(out: Output, folder: pathlib.Path) -> None:
     plt.close(figure)
 
 
+def pictures(out: Output, folder: pathlib.Path) -> str:
+    draw(out, folder)
+    return compare(out)
+
+
 def main(argv: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out", type=pathlib.Path, metavar="OUT",
-                        help="output directory of the run")
-    parser.add_argument("-o", "--output", type=pathlib.Path,
-                        help="directory for the pictures (default: OUT)")
-    args = parser.parse_args(argv)
-    try:
-        folder = args.output or args.out
-        out = Output(args.out)
-        folder.mkdir(parents=True, exist_ok=True)
-        draw(out, folder)
-        print(compare(out))
-    except (OutputError, OSError) as error:
-        print(f"plot_indentation.py: error: {error}", file=sys.stderr)
-        return 1
-    print(f"wrote {folder / 'indentation.png'} and a picture of each panel")
-    return 0
+    return plot_script.run(argv, __doc__, "indentation", pictures)
 
 
 if __name__ == "__main__":

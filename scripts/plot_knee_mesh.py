@@ -17,23 +17,20 @@ Sample run:
 from __future__ import annotations
 
 import argparse
-import os
 import pathlib
 import sys
 
-import gmsh
-import matplotlib.image
-import numpy as np
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 
-# Draw without a screen, and without VTK's complaint that there is none.
-if not os.environ.get("DISPLAY"):
-    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-import pyvista as pv  # noqa: E402
+import gmsh  # noqa: E402
+import matplotlib.image  # noqa: E402
+import numpy as np  # noqa: E402
 
-COLOURS = {"femoral_cartilage": "#e6cba6", "tibial_cartilage": "#86b4cf",
-           "meniscus": "#b5473a"}
-WIDTH = 1600    # pixels of each view before its white margins are cut off
-MARGIN = 30     # that stay
+import knee_views  # noqa: E402
+from solid_view import pv  # noqa: E402
+
+WIDTH = 1500    # pixels of each view
+MARGIN = 15     # around it
 
 
 def read(file: str) -> dict[str, pv.UnstructuredGrid]:
@@ -56,30 +53,10 @@ def read(file: str) -> dict[str, pv.UnstructuredGrid]:
     finally:
         gmsh.finalize()
     known = {name: grid.clean() for name, grid in bodies.items()
-             if name.startswith(tuple(COLOURS)) and grid.n_cells}
+             if name.startswith(tuple(knee_views.COLOURS)) and grid.n_cells}
     if not any(name.startswith("meniscus") for name in known):
         raise ValueError(f"'{file}' has no hexahedra of a meniscus")
     return known
-
-
-def draw(bodies: dict[str, pv.DataSet], towards: tuple, up: tuple
-         ) -> np.ndarray:
-    """A picture of the bodies from a direction."""
-    plotter = pv.Plotter(off_screen=True, window_size=(WIDTH, WIDTH))
-    plotter.background_color = "white"
-    for name, body in bodies.items():
-        colour = next(c for kind, c in COLOURS.items() if name.startswith(kind))
-        plotter.add_mesh(body, color=colour, show_edges=True, line_width=1,
-                         edge_color="#303030", ambient=0.25, diffuse=0.8,
-                         specular=0.1)
-    plotter.enable_parallel_projection()
-    plotter.enable_anti_aliasing("ssaa")
-    plotter.view_vector(towards, up)
-    picture = plotter.screenshot(return_img=True)
-    plotter.close()
-    drawn = (picture < 250).any(axis=2)
-    rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
-    return picture[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
 
 
 def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
@@ -96,17 +73,10 @@ def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
 
 
 def views(bodies: dict[str, pv.UnstructuredGrid]) -> list[np.ndarray]:
-    lower = {name: body for name, body in bodies.items()
-             if not name.startswith("femoral")}
-    menisci = [body for name, body in bodies.items()
-               if name.startswith("meniscus")]
-    middle = np.mean([body.center for body in menisci], axis=0)
-    front = {name: body.clip("-y", origin=middle)
-             for name, body in bodies.items()}
-    front = {name: body for name, body in front.items() if body.n_cells}
-    behind, above = (0, -1, 0.12), (0, 0, 1)
-    return [draw(bodies, behind, above), draw(lower, above, (0, 1, 0)),
-            draw(front, (0, -1, 0), above)]
+    return [knee_views.mesh(shown, view, WIDTH).pixels for shown, view in (
+        (bodies, knee_views.FROM_BEHIND_AND_ABOVE),
+        (knee_views.without_femur(bodies), knee_views.SUPERIOR),
+        (knee_views.front_half(bodies), knee_views.POSTERIOR))]
 
 
 def main(argv: list[str] | None = None) -> int:

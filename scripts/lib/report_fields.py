@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
 
 import numpy as np
@@ -123,15 +122,9 @@ def contact_figure(grid, name: str, time: float, units: Units):
     return figure
 
 
-def merged(body):
-    """A body without its elements' copies of shared nodes."""
-    # Its elements' faces within would be taken for its surface.
-    return body.clean(tolerance=1e-7 * body.length)
-
-
 def view_figure(grid, up: int, time: float, units: Units):
     """The deformed bodies with the fluid pressure, and their initial edges."""
-    surfaces = [merged(body).extract_surface(nonlinear_subdivision=2)
+    surfaces = [section.merged(body).extract_surface(nonlinear_subdivision=2)
                 .triangulate() for body in section.bodies_of(grid)]
     colours = section.colour_range(surfaces, [surface["fluid_pressure"]
                                               for surface in surfaces])
@@ -163,12 +156,9 @@ def direction_of_view(grid, up: int) -> np.ndarray:
 def render(surfaces: list, direction: np.ndarray, up: int,
            colours: dict) -> np.ndarray:
     """Pixels, with the empty margins cut off."""
-    if not os.environ.get("DISPLAY"):
-        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW",
-                              "vtkEGLRenderWindow")
-    import pyvista
+    import solid_view
 
-    plotter = pyvista.Plotter(off_screen=True, window_size=(1400, 1000))
+    plotter = solid_view.pv.Plotter(off_screen=True, window_size=(1400, 1000))
     plotter.set_background("white")
     for before in surfaces:
         after = before.copy()
@@ -188,10 +178,8 @@ def render(surfaces: list, direction: np.ndarray, up: int,
     plotter.enable_anti_aliasing("ssaa")
     picture = plotter.screenshot(return_img=True)
     plotter.close()
+    solid_view.require_drawn(picture)
     rows, columns = np.nonzero((picture < 255).any(axis=2))
-    if rows.size == 0:
-        raise OutputError("VTK drew an empty picture: does scripts/setup find "
-                          "that it can draw on this machine?")
     return picture[rows.min():rows.max() + 1, columns.min():columns.max() + 1]
 
 

@@ -28,6 +28,12 @@ def bodies_of(grid) -> list:
             for region in np.unique(grid["attribute"])]
 
 
+def merged(body):
+    """A body without its elements' copies of shared nodes."""
+    # Its elements' faces within would be taken for its surface.
+    return body.clean(tolerance=1e-7 * body.length)
+
+
 def cut(bodies: list, normal: int, at: float) -> list:
     """Triangles of the bodies' sections by the plane x[normal] = at.
 
@@ -67,11 +73,21 @@ def draw_outlines(axes: plt.Axes, sections: list, plane: list[int]) -> None:
 
 def draw_section(axes: plt.Axes, sections: list, plane: list[int],
                  values: list[np.ndarray], label: str, **colours):
-    """Values at the sections' points, on their deformed shapes.
+    """Values at the sections' points, on their deformed shapes, with a bar.
 
     plane: the two coordinates to draw, horizontal and vertical; colours:
     arguments of tripcolor (cmap, vmin, vmax). Gives the mappable.
     """
+    mappable = draw_values(axes, sections, plane, values, **colours)
+    plt.colorbar(mappable, ax=axes, orientation="horizontal",
+                 extend=extent(values, colours), aspect=40, pad=0.02,
+                 label=label)
+    return mappable
+
+
+def draw_values(axes: plt.Axes, sections: list, plane: list[int],
+                values: list[np.ndarray], **colours):
+    """What draw_section draws, without the bar."""
     mappable = None
     for section, value in zip(sections, values):
         x = section.points + section["displacement"]
@@ -83,9 +99,6 @@ def draw_section(axes: plt.Axes, sections: list, plane: list[int],
     draw_outlines(axes, sections, plane)
     axes.autoscale_view()
     axes.set_aspect("equal")
-    plt.colorbar(mappable, ax=axes, orientation="horizontal",
-                 extend=extent(values, colours), aspect=40, pad=0.02,
-                 label=label)
     return mappable
 
 
@@ -100,10 +113,11 @@ def extent(values: list[np.ndarray], colours: dict) -> str:
             (False, True): "max", (True, True): "both"}[low, high]
 
 
-def colour_range(sections: list, values: list[np.ndarray]) -> dict:
+def colour_range(sections: list, values: list[np.ndarray],
+                 beyond: float = 0.01) -> dict:
     """A map and limits for values at the sections' points.
 
-    Values of a hundredth of the area may go beyond them: the singularity at an
+    Values of that part of the area may go beyond them: the singularity at an
     edge doesn't determine the colours. Values of both signs get a map with
     white at zero; where one sign is no more than noise, the map is for the
     other one only.
@@ -113,7 +127,7 @@ def colour_range(sections: list, values: list[np.ndarray]) -> dict:
     share = np.cumsum(np.concatenate(
         [areas_of_points(section) for section in sections])[order])
     low, high = every[order[np.searchsorted(
-        share, np.array([0.01, 0.99]) * share[-1])]]
+        share, np.array([beyond, 1 - beyond]) * share[-1])]]
     size = max(abs(low), abs(high))
     if not size > 0:
         return {"cmap": "viridis", "vmin": -1.0, "vmax": 1.0}
