@@ -153,6 +153,8 @@ ContactCase Contact(const std::string &name, const std::string &source,
    contact.name = name;
    contact.source = {source};
    contact.destination = {destination};
+   // Menisci slide by some millimetres.
+   contact.options.configuration = SearchConfiguration::current;
    return contact;
 }
 

@@ -316,8 +316,9 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    // How much of one equation's change counts as change of the other, which may
    // have none of its own.
    constexpr real_t coupled = 1e-2;
-   // Part of the fluid exchanged in the step that may get lost.
-   constexpr real_t lost = 1e-7;
+   // How much stricter Tighten() may be: loads and stiff contact may make much
+   // of what is hardly any fluid.
+   constexpr real_t strictest = 1e-5;
    constexpr real_t round_off = 1e-15;
    MPI_Comm comm = spaces.GetComm();
    const auto norm = [comm](const Vector &x)
@@ -337,16 +338,8 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    const real_t force = std::max(own_force, coupled * scale * own_volume);
    const real_t volume = std::max(own_volume, coupled * own_force / scale);
 
-   Vector momentum;
-   Vector mass;
-   ComputeImbalance(still, momentum, mass);
-   Vector exchange(mass.Size());
-   exchange = 0.0;
-   for (const int dof : jacobian->PressureDofs())
-   {
-      exchange[dof] = mass[dof];
-   }
-
+   Vector momentum(stage.u.Size());
+   Vector mass(stage.p.Size());
    // Magnitudes of the terms that cancel.
    Vector u(stage.u);
    Vector p(stage.p);
@@ -366,12 +359,8 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    const real_t most = relative * volume;
    ResidualTolerance tolerance;
    tolerance.momentum = std::max(relative * force, round_off * norm(momentum));
-   // Where nothing flows yet, the exchange says nothing.
-   const real_t exchanged = norm(exchange);
-   tolerance.mass = exchanged > 0.0
-                       ? std::clamp(lost * exchanged, coupled * most, most)
-                       : most;
-   tolerance.mass = std::max(tolerance.mass, round_off * norm(mass));
+   tolerance.mass = std::max(most, round_off * norm(mass));
+   tolerance.least_mass = std::max(strictest * most, round_off * norm(mass));
    // A body at rest without loads has nothing to be relative to.
    constexpr real_t tiny = std::numeric_limits<real_t>::min();
    tolerance.momentum = std::max(tolerance.momentum, tiny);
@@ -393,6 +382,29 @@ Vector BiphasicOperator::FindRelief(const Stage &stage) const
       relief *= std::min(stage.dt, rate_dt);
    }
    return relief;
+}
+
+bool BiphasicOperator::Tighten(const Stage &stage,
+                               ResidualTolerance &tolerance) const
+{
+   // Part of the fluid exchanged in the step that may get lost.
+   constexpr real_t lost = 1e-7;
+   Vector momentum;
+   Vector mass;
+   ComputeImbalance(stage, momentum, mass);
+   real_t squares = 0.0;
+   for (const int dof : jacobian->PressureDofs())
+   {
+      squares += mass[dof] * mass[dof];
+   }
+   const real_t exchanged = std::sqrt(SumOverRanks(squares, spaces.GetComm()));
+   const real_t wanted = std::max(lost * exchanged, tolerance.least_mass);
+   if (wanted >= 0.5 * tolerance.mass)
+   {
+      return false;
+   }
+   tolerance.mass = wanted;
+   return true;
 }
 
 bool BiphasicOperator::SolveStage(Stage &stage)
@@ -485,15 +497,18 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    return true;
 }
 
-bool BiphasicOperator::SolveContact(Stage &stage,
-                                    const ResidualTolerance &tolerance)
+bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 {
    BlockVector residual(spaces.Offsets());
    BlockVector step(spaces.Offsets());
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
       ComputeResidual(stage, residual);
-      const real_t norm = linear->Norm(residual, tolerance);
+      real_t norm = linear->Norm(residual, tolerance);
+      if (norm <= 1.0 && Tighten(stage, tolerance))
+      {
+         norm = linear->Norm(residual, tolerance);
+      }
       if (norm <= 1.0)
       {
          return true;

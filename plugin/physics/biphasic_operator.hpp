@@ -124,7 +124,7 @@ private:
    };
 
    bool SolveStage(Stage &stage);
-   bool SolveContact(Stage &stage, const ResidualTolerance &tolerance);
+   bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
    /// The effect of the stabilisation on the smooth part of the pressure's
    /// change, which is taken to go on as it went in the last stage.
    mfem::Vector FindRelief(const Stage &stage) const;
@@ -135,6 +135,9 @@ private:
                          mfem::Vector &mass) const;
    void ComputeResidual(const Stage &stage, mfem::BlockVector &residual) const;
    ResidualTolerance Tolerance(const Stage &stage) const;
+   /// Lowers the tolerance of the mass to a part of the fluid that the step, as
+   /// solved, exchanges; false if that hardly changes it.
+   bool Tighten(const Stage &stage, ResidualTolerance &tolerance) const;
    bool Fail(const std::string &reason);
    /// Whether a surface that a force moves would leave; fails if so.
    bool Escapes(const mfem::Vector &step);

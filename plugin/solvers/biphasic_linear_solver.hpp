@@ -57,6 +57,8 @@ struct ResidualTolerance
 {
    mfem::real_t momentum = 0.0;
    mfem::real_t mass = 0.0;
+   /// As far as the one of the mass may be lowered.
+   mfem::real_t least_mass = 0.0;
 };
 
 /// FGMRES with one of the preconditioners. Each equation is measured by its own

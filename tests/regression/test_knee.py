@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""A small idealised knee, from its mesh to its pictures, on two ranks.
+
+Requirements: the program and the case file are the same problem; the femur
+touches the menisci first and the tibial cartilages later; all six pairs bear
+load; forces, moments and fluid balance; pressures agree across the contact; the
+horns hold; the load relaxes when the femur rests.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import gmsh  # noqa: F401
+except (ImportError, OSError):
+    print("skipped: no gmsh module for Python")
+    sys.exit(242)
+
+SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
+BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
+MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+SIDES = ("medial", "lateral")
+PAIRS = [f"{pair}-{side}" for side in SIDES
+         for pair in ("femur-tibia", "tibia-meniscus", "meniscus-femur")]
+HORNS = [f"spring.meniscus_{side}_horn_{end}." for side in SIDES
+         for end in ("anterior", "posterior")]
+STIFFNESS = 2000.0      # of a horn's springs, N/mm
+THICKNESS = 2.0         # of the cartilage, mm
+REACTION = "reaction.femoral_cartilage_bone.z"
+
+checks = 0
+
+
+def check(condition: bool, text: str) -> None:
+    global checks
+    checks += 1
+    print(("ok      " if condition else "FAILED  ") + text, flush=True)
+    if not condition:
+        sys.exit(1)
+
+
+def run(*command: str | pathlib.Path) -> str:
+    result = subprocess.run(command, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True)
+    if result.returncode != 0:
+        print(result.stdout)
+    check(result.returncode == 0, f"{' '.join(map(str, command))}: exit "
+          f"status {result.returncode}")
+    return result.stdout
+
+
+def history(output: pathlib.Path) -> list[dict[str, float]]:
+    with open(output / "history.csv") as file:
+        return [{name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def first_touch(rows: list[dict[str, float]], pair: str) -> float:
+    return next((row["t"] for row in rows
+                 if row[f"contact.{pair}.area"] > 0), float("inf"))
+
+
+def check_contact(rows: list[dict[str, float]]) -> None:
+    loaded = next(row for row in rows if abs(row["t"] - 100) < 1e-6)
+    for pair in PAIRS:
+        force = loaded[f"contact.{pair}.force_z"]
+        check(abs(force) > 0.5 and loaded[f"contact.{pair}.area"] > 10,
+              f"{pair} bears {abs(force):.1f} N at 100 s")
+    for side in SIDES:
+        menisci = first_touch(rows, f"meniscus-femur-{side}")
+        tibia = first_touch(rows, f"femur-tibia-{side}")
+        check(menisci < tibia <= 100,
+              f"{side}: the femur touches the meniscus by {menisci:g} s, the "
+              f"tibial cartilage by {tibia:g} s")
+    worst = {"force_error": 0.0, "moment_error": 0.0, "penetration": 0.0,
+             "pressure_jump": 0.0}
+    for row in rows:
+        for pair in PAIRS:
+            prefix = f"contact.{pair}."
+            force = max(sum(row[f"{prefix}force_{d}"]**2
+                            for d in "xyz")**0.5, 1e-3)
+            scales = {"force_error": force, "moment_error": 10 * force,
+                      "penetration": THICKNESS,
+                      "pressure_jump": max(row["fluid.peak_pressure"], 1e-9)}
+            for name, scale in scales.items():
+                worst[name] = max(worst[name], row[prefix + name] / scale)
+    check(worst["force_error"] <= 1e-8 and worst["moment_error"] <= 1e-8,
+          f"forces and moments of each pair balance to "
+          f"{max(worst['force_error'], worst['moment_error']):.1e}")
+    check(worst["penetration"] <= 1e-4,
+          f"penetration is {worst['penetration']:.1e} of the thickness")
+    check(worst["pressure_jump"] <= 0.02,
+          f"pressures of facing surfaces differ by "
+          f"{worst['pressure_jump']:.1e} of the peak")
+
+
+def check_supports(rows: list[dict[str, float]]) -> None:
+    for row in rows:
+        joint = sum(row[f"contact.{pair}.source_force_z"] for pair in PAIRS
+                    if "femur" in pair)
+        balance = abs(row[REACTION] + joint)
+        check(balance <= 1e-6 * max(abs(joint), 1e-3),
+              f"{row['t']:g} s: the femur is in balance to {balance:.1e} N")
+    farthest = max(abs(row[horn + d]) / STIFFNESS
+                   for row in rows for horn in HORNS for d in "xyz")
+    check(1e-5 < farthest < 0.05,
+          f"the horns move by up to {1e3 * farthest:.1f} micrometres")
+    worst = max(abs(row["fluid.volume_balance"])
+                / max(abs(row["fluid.outflow"]), 1e-6) for row in rows)
+    check(worst <= 1e-6, f"fluid balance to {worst:.1e} of the outflow")
+    at_rest = [abs(row[REACTION]) for row in rows if row["t"] > 100 - 1e-6]
+    check(len(at_rest) > 1 and at_rest == sorted(at_rest, reverse=True),
+          f"the load relaxes from {at_rest[0]:.1f} to {at_rest[-1]:.1f} N")
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        mesh = directory / "knee.msh"
+        run(sys.executable, SOURCE / "meshes" / "knee_parametric.py",
+            "--size", "3", "-o", mesh)
+        printed = run(MPIEXEC, "-n", "2", BUILD / "miniapps" / "knee",
+                      "--mesh", mesh, "--output", directory / "program",
+                      "--step", "10", "--end", "120")
+        check("medial tibial cartilage: " in printed,
+              "the program says what each side bears")
+        rows = history(directory / "program")
+        check(len(rows) == 12, "twelve steps")
+        check_contact(rows)
+        check_supports(rows)
+
+        run(MPIEXEC, "-n", "2", BUILD / "miniapps" / "synovia",
+            SOURCE / "miniapps" / "cases" / "knee.toml", "--output",
+            directory / "case", "--set", f'mesh.file="{mesh}"', "--set",
+            "time.step=10", "--set", "time.end=20")
+        same = history(directory / "case")[-1]
+        difference = abs(same[REACTION] / rows[1][REACTION] - 1)
+        check(same["t"] == rows[1]["t"] and difference < 1e-6,
+              f"the case file gives the same to {difference:.1e}")
+
+        run(sys.executable, SOURCE / "scripts" / "plot_knee.py",
+            directory / "program", "-o", directory / "pictures")
+        for picture in ("knee.png", "knee.gif"):
+            size = (directory / "pictures" / picture).stat().st_size
+            check(size > 20000, f"{picture} has {size} bytes")
+    print(f"all {checks} checks passed")
+
+
+if __name__ == "__main__":
+    main()
