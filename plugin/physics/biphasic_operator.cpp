@@ -365,6 +365,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    constexpr real_t tiny = std::numeric_limits<real_t>::min();
    tolerance.momentum = std::max(tolerance.momentum, tiny);
    tolerance.mass = std::max(tolerance.mass, tiny);
+   tolerance.least_mass = std::max(tolerance.least_mass, tiny);
    return tolerance;
 }
 

@@ -168,6 +168,26 @@ class WrongCase(Driver):
         self.assert_error(self.run_it(self.case, "--check"), "case.toml:",
                           "mesh.file", "$MeshFormat")
 
+    def test_frames(self) -> None:
+        text = self.case.read_text()
+        for frame, texts in (
+                ('{between = ["bone"]}', ["only a cylindrical frame"]),
+                ('{type = "cylindrical", between = ["bone"], '
+                 'around = ["bone"]}',
+                 ["material.1.frame.around", "one of origin, between"]),
+                ('{type = "cylindrical", origin = [9, 9, 9], '
+                 'between = ["bone"]}',
+                 ["material.1.frame.between", "somewhere else too"]),
+                ('{type = "cylindrical", around = ["bones"]}',
+                 ["material.1.frame.around.0", 'did you mean "bone"?']),
+                ('{type = "cylindrical", around = ["symmetry_x"]}',
+                 ["material.1", "no circle fits"])):
+            with self.subTest(frame=frame):
+                self.case.write_text(text)
+                self.change('regions = ["indenter"]',
+                            f'regions = ["indenter"]\nframe = {frame}')
+                self.assert_error(self.run_it(self.case, "--check"), *texts)
+
     def test_line_out_of_the_mesh(self) -> None:
         self.assert_error(
             self.run_it(self.case, "--check", "--set",
