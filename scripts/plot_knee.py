@@ -189,7 +189,10 @@ def draw_slice(axes: plt.Axes, knee: Knee, side: str, values: np.ndarray,
     size = np.ptp(list(bounds.values()), axis=1).max(axis=0)
     middle = bounds[side].mean(axis=0)
     low, high = middle - size / 2, middle + size / 2
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    axes.set_xlim(low[0], high[0], auto=True)
+    axes.set_ylim(low[1], high[1], auto=True)
+    # On the sheet there may be more room: show more of the neighbours.
+    axes.set_aspect("equal", adjustable="datalim")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(6, integer=True))
     return mappable
