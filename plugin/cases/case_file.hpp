@@ -74,9 +74,9 @@ struct FrameCase
    /// Surfaces the origin is at the centre of instead: of the circle that fits
    /// them best, seen along the axis.
    std::vector<std::string> around;
+   std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
 
    bool HasOrigin() const;
-   std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
 };
 
 struct MaterialCase

@@ -14,6 +14,43 @@ using namespace mfem;
 
 namespace
 {
+void Append(const NamedMesh &mesh, const std::vector<std::string> &names,
+            Array<int> &attributes)
+{
+   for (const std::string &name : names)
+   {
+      attributes.Append(mesh.Boundary(name));
+   }
+}
+} // namespace
+
+Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
+                        int component)
+{
+   Array<int> held;
+   for (const BoundaryCase &boundary : setup.boundaries)
+   {
+      if (boundary.Holds(component))
+      {
+         Append(mesh, boundary.surfaces, held);
+      }
+   }
+   return held;
+}
+
+Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh)
+{
+   Array<int> touching;
+   for (const ContactCase &contact : setup.contacts)
+   {
+      Append(mesh, contact.source, touching);
+      Append(mesh, contact.destination, touching);
+   }
+   return touching;
+}
+
+namespace
+{
 std::string Path(const std::string &list, size_t i, const std::string &key)
 {
    return list + "." + std::to_string(i) + "." + key;
@@ -97,53 +134,34 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
    }
 }
 
-/// The surfaces that hold, and those that touch.
-struct Surfaces
+void CheckSurfaces(const CaseFile &setup, NameCheck &names)
 {
-   Array<int> held[3];
-   Array<int> contact;
-};
-
-Surfaces CheckSurfaces(const CaseFile &setup, NameCheck &names)
-{
-   Surfaces surfaces;
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
-      const BoundaryCase &boundary = setup.boundaries[i];
-      const Array<int> found =
-         names.Boundaries(boundary.surfaces, Path("boundary", i, "surfaces"));
-      for (int d = 0; d < 3; d++)
-      {
-         if (boundary.Holds(d))
-         {
-            surfaces.held[d].Append(found);
-         }
-      }
+      names.Boundaries(setup.boundaries[i].surfaces,
+                       Path("boundary", i, "surfaces"));
    }
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
-      const ContactCase &contact = setup.contacts[i];
-      surfaces.contact.Append(
-         names.Boundaries(contact.source, Path("contact", i, "source")));
-      surfaces.contact.Append(names.Boundaries(
-         contact.destination, Path("contact", i, "destination")));
+      names.Boundaries(setup.contacts[i].source, Path("contact", i, "source"));
+      names.Boundaries(setup.contacts[i].destination,
+                       Path("contact", i, "destination"));
    }
-   return surfaces;
 }
 
-void CheckSupports(const std::vector<Body> &bodies, const Surfaces &surfaces,
-                   CaseReading &reading)
+void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
+                   const std::vector<Body> &bodies, CaseReading &reading)
 {
    const char *const axes[3] = {"x", "y", "z"};
+   const Array<int> touching = ContactSurfaces(setup, mesh);
+   const Array<int> held[3] = {HeldSurfaces(setup, mesh, 0),
+                               HeldSurfaces(setup, mesh, 1),
+                               HeldSurfaces(setup, mesh, 2)};
    for (const Body &body : bodies)
    {
-      if (body.Touches(surfaces.contact))
-      {
-         continue;
-      }
       for (int d = 0; d < 3; d++)
       {
-         if (!body.Touches(surfaces.held[d]))
+         if (!body.Touches(touching) && !body.Touches(held[d]))
          {
             reading.Complain("boundary", "nothing holds \"" + body.name +
                                             "\" along " + axes[d] +
@@ -169,10 +187,7 @@ Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
    if (!frame.around.empty())
    {
       Array<int> surfaces;
-      for (const std::string &surface : frame.around)
-      {
-         surfaces.Append(mesh.Boundary(surface));
-      }
+      Append(mesh, frame.around, surfaces);
       return CentreOfCircle(mesh.Get(), surfaces, frame.axis);
    }
    if (frame.between.empty())
@@ -220,9 +235,7 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    : problem(Verified(setup, mesh), setup.space)
 {
    CaseReading reading(setup.places);
-   NameCheck names(mesh, reading);
-   CheckSupports(FindBodies(mesh, problem.Spaces()),
-                 CheckSurfaces(setup, names), reading);
+   CheckSupports(setup, mesh, FindBodies(mesh, problem.Spaces()), reading);
    reading.ThrowIfAny();
 
    SetMaterials(setup);

@@ -35,4 +35,12 @@ private:
    std::vector<std::unique_ptr<PermeabilityLaw>> permeabilities;
 };
 
+/// Attributes of the boundaries on which displacements or springs resist motion
+/// along an axis (0, 1, 2). Throws Error if the mesh doesn't have them.
+mfem::Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
+                              int component);
+
+/// Attributes of the boundaries in contact pairs, likewise.
+mfem::Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh);
+
 } // namespace synovia

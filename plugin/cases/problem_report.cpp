@@ -90,25 +90,16 @@ LoadTimes FindLoadTimes(const CaseFile &setup)
 // Attributes of the surfaces from which fluid may leave.
 Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
 {
-   Array<int> draining;
-   const auto add = [&](const std::vector<std::string> &names)
-   {
-      for (const std::string &name : names)
-      {
-         draining.Append(mesh.Boundary(name));
-      }
-   };
+   Array<int> draining = ContactSurfaces(setup, mesh);
    for (const BoundaryCase &boundary : setup.boundaries)
    {
       if (boundary.pressure)
       {
-         add(boundary.surfaces);
+         for (const std::string &name : boundary.surfaces)
+         {
+            draining.Append(mesh.Boundary(name));
+         }
       }
-   }
-   for (const ContactCase &contact : setup.contacts)
-   {
-      add(contact.source);
-      add(contact.destination);
    }
    return draining;
 }
@@ -357,6 +348,9 @@ void ProblemReport::WarnOfBodies(const CaseFile &setup, CaseProblem &problem)
    NamedMesh &mesh = problem.Get().Mesh();
    const Array<int> draining = DrainingSurfaces(setup, mesh);
    const char *const axes[3] = {"x", "y", "z"};
+   const Array<int> held[3] = {HeldSurfaces(setup, mesh, 0),
+                               HeldSurfaces(setup, mesh, 1),
+                               HeldSurfaces(setup, mesh, 2)};
    for (const Body &body : FindBodies(mesh, problem.Get().Spaces()))
    {
       if (!body.Touches(draining))
@@ -367,18 +361,7 @@ void ProblemReport::WarnOfBodies(const CaseFile &setup, CaseProblem &problem)
       }
       for (int d = 0; d < 3; d++)
       {
-         Array<int> held;
-         for (const BoundaryCase &boundary : setup.boundaries)
-         {
-            for (const std::string &surface : boundary.surfaces)
-            {
-               if (boundary.Holds(d))
-               {
-                  held.Append(mesh.Boundary(surface));
-               }
-            }
-         }
-         if (!body.Touches(held))
+         if (!body.Touches(held[d]))
          {
             warnings.push_back("only contact holds \"" + body.name +
                                "\" along " + axes[d]);

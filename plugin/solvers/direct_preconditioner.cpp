@@ -150,8 +150,8 @@ void DirectPreconditioner::Factorise()
    // The old factors go first: two at once would double the peak of memory.
    factors.reset();
    holding = jacobian.Holding();
-   matrix = jacobian.AssembleHeld(holding);
-   factors = MakeDirectSolver(*matrix, MatrixKind::symmetric);
+   factors =
+      MakeDirectSolver(*jacobian.AssembleHeld(holding), MatrixKind::symmetric);
 }
 
 const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)

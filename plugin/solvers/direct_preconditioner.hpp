@@ -73,7 +73,6 @@ private:
    std::vector<mfem::Vector> jump_weights;
    mfem::Array<int> p_dofs;
    mfem::Vector holding;
-   std::unique_ptr<mfem::HypreParMatrix> matrix;
    std::unique_ptr<mfem::Solver> factors;
    std::map<std::pair<int, int>, std::unique_ptr<mfem::SparseMatrix>> rows;
    std::map<Key, Column> columns;

@@ -10,35 +10,22 @@ from __future__ import annotations
 
 import csv
 import math
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-try:
-    import gmsh  # noqa: F401
-except (ImportError, OSError):
-    print("skipped: no gmsh module for Python")
-    sys.exit(242)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
 
-SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
-BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
-MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+
 CASES = SOURCE / "miniapps" / "cases"
 E, NU, KAPPA = 0.5417, 0.0833, 4.0e-3
 H_A = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
 
-checks = 0
 run_cases: set[str] = set()
-
-
-def check(condition: bool, text: str) -> None:
-    global checks
-    checks += 1
-    print(("ok      " if condition else "FAILED  ") + text, flush=True)
-    if not condition:
-        sys.exit(1)
 
 
 def close(value: float, exact: float, tolerance: float, text: str) -> None:
@@ -83,7 +70,7 @@ class Runs:
                  *settings: str, ranks: int = 2) -> list[dict[str, float]]:
         run_cases.add(case.stem)
         output = self.directory / "out"
-        command = [MPIEXEC, "-n", str(ranks), BUILD / "miniapps" / "synovia",
+        command = [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia",
                    case, "--output", output, "--set", f'mesh.file="{mesh}"']
         for setting in settings:
             command += ["--set", setting]
@@ -93,9 +80,7 @@ class Runs:
             print(run.stdout)
         check(run.returncode == 0, f"{case.name} {' '.join(settings)}: exit "
               f"status {run.returncode}")
-        with open(output / "history.csv") as file:
-            rows = [{name: float(value) for name, value in row.items()}
-                    for row in csv.DictReader(file)]
+        rows = history(output)
         worst = max(abs(row["fluid.volume_balance"])
                     / max(abs(row["fluid.outflow"]), 1e-12) for row in rows)
         check(worst <= 1e-6, f"fluid balance to {worst:.1e} of the outflow in "
@@ -221,7 +206,7 @@ def main() -> None:
     check(run_cases | {"knee"}
           == {case.stem for case in CASES.glob("*.toml")} | {"case"},
           "all cases were run")
-    print(f"all {checks} checks passed")
+    finish()
 
 
 if __name__ == "__main__":

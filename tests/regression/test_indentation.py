@@ -8,35 +8,20 @@ and either solver; few augmentations.
 
 from __future__ import annotations
 
-import csv
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-try:
-    import gmsh  # noqa: F401
-except (ImportError, OSError):
-    print("skipped: no gmsh module for Python")
-    sys.exit(242)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
 
-SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
-BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
-MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+
 THICKNESS = 0.75
 FORCE = "contact.indenter-cartilage.source_force_z"
 PEAK = "fluid.peak_pressure"
-
-checks = 0
-
-
-def check(condition: bool, text: str) -> None:
-    global checks
-    checks += 1
-    print(("ok      " if condition else "FAILED  ") + text, flush=True)
-    if not condition:
-        sys.exit(1)
 
 
 class Runs:
@@ -52,7 +37,7 @@ class Runs:
     def __call__(self, ranks: int, *arguments: str) -> list[dict[str, float]]:
         output = self.directory / "out"
         result = subprocess.run(
-            [MPIEXEC, "-n", str(ranks), BUILD / "miniapps" / "indentation",
+            [MPIEXEC, "-n", str(ranks), PROGRAMS / "indentation",
              "--mesh", self.mesh, "--output", output, "--fields-every", "0",
              *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             text=True)
@@ -61,9 +46,7 @@ class Runs:
         check(result.returncode == 0,
               f"{ranks} ranks, {' '.join(arguments)}: exit status "
               f"{result.returncode}")
-        with open(output / "history.csv") as file:
-            return [{name: float(value) for name, value in row.items()}
-                    for row in csv.DictReader(file)]
+        return history(output)
 
 
 def difference(rows: list, others: list, column: str) -> float:
@@ -116,7 +99,7 @@ def main() -> None:
                   f"force, to {change:.1e}")
             most = max(row["solver.most_linear"] for row in others)
             check(most <= 40, f"a linear system takes {most:.0f} iterations")
-    print(f"all {checks} checks passed")
+    finish()
 
 
 if __name__ == "__main__":

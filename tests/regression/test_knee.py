@@ -9,22 +9,17 @@ horns hold; the load relaxes when the femur rests.
 
 from __future__ import annotations
 
-import csv
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-try:
-    import gmsh  # noqa: F401
-except (ImportError, OSError):
-    print("skipped: no gmsh module for Python")
-    sys.exit(242)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
 
-SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
-BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
-MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+
 SIDES = ("medial", "lateral")
 PAIRS = [f"{pair}-{side}" for side in SIDES
          for pair in ("femur-tibia", "tibia-meniscus", "meniscus-femur")]
@@ -33,16 +28,6 @@ HORNS = [f"spring.meniscus_{side}_horn_{end}." for side in SIDES
 STIFFNESS = 2000.0      # of a horn's springs, N/mm
 THICKNESS = 2.0         # of the cartilage, mm
 REACTION = "reaction.femoral_cartilage_bone.z"
-
-checks = 0
-
-
-def check(condition: bool, text: str) -> None:
-    global checks
-    checks += 1
-    print(("ok      " if condition else "FAILED  ") + text, flush=True)
-    if not condition:
-        sys.exit(1)
 
 
 def run(*command: str | pathlib.Path) -> str:
@@ -53,12 +38,6 @@ def run(*command: str | pathlib.Path) -> str:
     check(result.returncode == 0, f"{' '.join(map(str, command))}: exit "
           f"status {result.returncode}")
     return result.stdout
-
-
-def history(output: pathlib.Path) -> list[dict[str, float]]:
-    with open(output / "history.csv") as file:
-        return [{name: float(value) for name, value in row.items()}
-                for row in csv.DictReader(file)]
 
 
 def first_touch(rows: list[dict[str, float]], pair: str) -> float:
@@ -125,7 +104,7 @@ def main() -> None:
         mesh = directory / "knee.msh"
         run(sys.executable, SOURCE / "meshes" / "knee_parametric.py",
             "--size", "3", "-o", mesh)
-        printed = run(MPIEXEC, "-n", "2", BUILD / "miniapps" / "knee",
+        printed = run(MPIEXEC, "-n", "2", PROGRAMS / "knee",
                       "--mesh", mesh, "--output", directory / "program",
                       "--step", "10", "--end", "120")
         check("medial tibial cartilage: " in printed,
@@ -135,7 +114,7 @@ def main() -> None:
         check_contact(rows)
         check_supports(rows)
 
-        case = (MPIEXEC, "-n", "2", BUILD / "miniapps" / "synovia",
+        case = (MPIEXEC, "-n", "2", PROGRAMS / "synovia",
                 SOURCE / "miniapps" / "cases" / "knee.toml", "--output",
                 directory / "case", "--set", f'mesh.file="{mesh}"')
         check("warning" not in run(*case, "--check"),
@@ -151,7 +130,7 @@ def main() -> None:
         for picture in ("knee.png", "knee.gif"):
             size = (directory / "pictures" / picture).stat().st_size
             check(size > 20000, f"{picture} has {size} bytes")
-    print(f"all {checks} checks passed")
+    finish()
 
 
 if __name__ == "__main__":

@@ -9,7 +9,6 @@ status of its own; a full disk is reported and spoils no checkpoint.
 
 from __future__ import annotations
 
-import csv
 import os
 import pathlib
 import random
@@ -20,35 +19,16 @@ import sys
 import tempfile
 import time
 
-try:
-    import gmsh  # noqa: F401
-except (ImportError, OSError):
-    print("skipped: no gmsh module for Python")
-    sys.exit(242)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
 
-SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
-PROGRAM = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"]) / "miniapps/synovia"
-MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+
 STEP, END, BETWEEN = 2.0, 200.0, 5
 KILLS = 10
 FORCE = "contact.columns.force_z"
 PEAK = "fluid.peak_pressure"
-
-checks = 0
-
-
-def check(condition: bool, text: str) -> None:
-    global checks
-    checks += 1
-    print(("ok      " if condition else "FAILED  ") + text, flush=True)
-    if not condition:
-        sys.exit(1)
-
-
-def rows(directory: pathlib.Path) -> list[dict[str, float]]:
-    with open(directory / "history.csv") as file:
-        return [{name: float(value) for name, value in row.items()}
-                for row in csv.DictReader(file)]
 
 
 def wait_for(run: subprocess.Popen, output: pathlib.Path, after: float,
@@ -57,7 +37,7 @@ def wait_for(run: subprocess.Popen, output: pathlib.Path, after: float,
     file = output / "history.csv"
     while run.poll() is None:
         try:
-            last = rows(output)[-1]["t"] if file.exists() else 0.0
+            last = history(output)[-1]["t"] if file.exists() else 0.0
         except (IndexError, TypeError, ValueError):
             last = 0.0   # it is being written
         if after + steps * STEP <= last:
@@ -85,7 +65,7 @@ class Case:
                        check=True, stdout=subprocess.DEVNULL)
 
     def command(self, ranks: int, output: pathlib.Path, *more: str) -> list:
-        return [MPIEXEC, "-n", str(ranks), PROGRAM,
+        return [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia",
                 SOURCE / "miniapps/cases/two_columns.toml",
                 "--set", f'mesh.file="{self.mesh}"',
                 "--set", f"time.step={STEP}", "--set", f"time.end={END}",
@@ -109,7 +89,7 @@ class Case:
 
 def compare(output: pathlib.Path, whole: list[dict[str, float]],
             text: str) -> None:
-    found = rows(output)
+    found = history(output)
     check([row["t"] for row in found] == [row["t"] for row in whole],
           f"{text}: each step once, {len(found)} of them")
     for name in (FORCE, PEAK):
@@ -145,7 +125,7 @@ def killed(case: Case, directory: pathlib.Path,
         else:
             check(reached < (BETWEEN + 1) * STEP,
                   f"kill {attempt}: from the start, with {reached:g} reached")
-        reached = max(reached, rows(output)[-1]["t"])
+        reached = max(reached, history(output)[-1]["t"])
     check(resumed > KILLS / 2, f"{resumed} runs went on from a checkpoint")
     result = case.run(2, output, "--resume")
     check(result.returncode == 0, "the last run gets to the end")
@@ -167,7 +147,7 @@ def interrupted(case: Case, directory: pathlib.Path,
     check("stopped at t = " in text and "--resume" in text,
           "Ctrl-C: it says where it stopped and how to go on")
     at = float(re.search(r"stopped at t = ([0-9.e+]+)", text).group(1))
-    check(0 < at < END and rows(output)[-1]["t"] == at,
+    check(0 < at < END and history(output)[-1]["t"] == at,
           f"Ctrl-C: the step at {at:g} is complete")
     result = case.run(3, output, "--resume")
     check(result.returncode == 0
@@ -200,7 +180,7 @@ def full_disk(case: Case, directory: pathlib.Path,
         result = case.run(2, output, "--resume")
         check(result.returncode == 0,
               "full disk: with room again, the run goes on to its end")
-        found = {row["t"]: row for row in rows(output)}
+        found = {row["t"]: row for row in history(output)}
         check(all(abs(found[row["t"]][FORCE] - row[FORCE])
                   <= 1e-8 * abs(whole[-1][FORCE])
                   for row in whole if row["t"] in found)
@@ -217,12 +197,12 @@ def main() -> None:
         if result.returncode != 0:
             print(result.stdout)
         check(result.returncode == 0, "a run undisturbed")
-        whole = rows(directory / "whole")
+        whole = history(directory / "whole")
         check(len(whole) == round(END / STEP), "all its steps are there")
         killed(case, directory, whole)
         interrupted(case, directory, whole)
         full_disk(case, directory, whole)
-    print(f"all {checks} checks passed")
+    finish()
 
 
 if __name__ == "__main__":

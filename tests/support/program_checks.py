@@ -1,0 +1,44 @@
+"""What tests that run Synovia's programs have in common.
+
+The environment says where things are; without gmsh's module, which makes the
+meshes, importing this skips the test.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import pathlib
+import sys
+
+try:
+    import gmsh  # noqa: F401
+except (ImportError, OSError):
+    print("skipped: no gmsh module for Python")
+    sys.exit(242)
+
+SOURCE = pathlib.Path(os.environ["SYNOVIA_SOURCE_DIR"])
+PROGRAMS = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"]) / "miniapps"
+MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
+
+_passed = 0
+
+
+def check(condition: bool, text: str) -> None:
+    """Says what was checked; ends the test if it does not hold."""
+    global _passed
+    print(("ok      " if condition else "FAILED  ") + text, flush=True)
+    if not condition:
+        sys.exit(1)
+    _passed += 1
+
+
+def finish() -> None:
+    print(f"all {_passed} checks passed")
+
+
+def history(output: pathlib.Path) -> list[dict[str, float]]:
+    """The rows of a run's history."""
+    with open(output / "history.csv") as file:
+        return [{name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
