@@ -116,18 +116,29 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
    destination_areas = NodalAreas(destination);
 
    const int size = spaces.Multiplier().GetTrueVSize();
-   for (Vector *v : {&penalty, &pressure_penalty, &multiplier, &flux_multiplier,
-                     &stored.multiplier[0], &stored.multiplier[1],
-                     &stored.flux_multiplier[0], &stored.flux_multiplier[1],
-                     &removed_overlap, &gap, &jump, &pressure, &traction, &flux,
-                     &active, &sealing, &gap_weights, &jump_weights})
+   for (Vector *v :
+        {&resistance, &penalty, &pressure_penalty, &multiplier,
+         &flux_multiplier, &stored.multiplier[0], &stored.multiplier[1],
+         &stored.flux_multiplier[0], &stored.flux_multiplier[1],
+         &removed_overlap, &gap, &jump, &pressure, &traction, &flux, &active,
+         &sealing, &gap_weights, &jump_weights})
    {
       v->SetSize(size);
       *v = 0.0;
    }
+   pressure_held.SetSize(size);
+   pressure_held = false;
    seal_opened.SetSize(size);
    seal_opened = false;
    Accept();
+}
+
+void ContactPair::SetHeldPressures(const Array<int> &vertices)
+{
+   for (const int vertex : vertices)
+   {
+      pressure_held[vertex] = true;
+   }
 }
 
 void ContactPair::SetTimeStep(real_t dt)
@@ -225,12 +236,13 @@ void ContactPair::SetPenalties()
       const real_t h = operators.face_size[j];
       const real_t area = operators.area[j];
       penalty[j] = stiffening.gap * options.penalty;
+      resistance[j] =
+         area > 0.0 ? softest_modulus / h * destination_areas[j] / area : 0.0;
       pressure_penalty[j] = stiffening.jump * options.pressure_penalty;
       if (area > 0.0 && options.penalty == 0.0)
       {
          // As stiff on the whole where the source covers only a part.
-         penalty[j] = stiffening.gap * options.penalty_factor *
-                      softest_modulus / h * destination_areas[j] / area;
+         penalty[j] = stiffening.gap * options.penalty_factor * resistance[j];
       }
       if (area > 0.0 && options.pressure_penalty == 0.0)
       {
@@ -282,7 +294,7 @@ void ContactPair::React()
    for (int j = 0; j < active.Size(); j++)
    {
       traction[j] = active[j] > 0.5 ? multiplier[j] + penalty[j] * gap[j] : 0.0;
-      flux[j] = sealing[j] > 0.5
+      flux[j] = Exchanges(j)
                    ? flux_multiplier[j] + pressure_penalty[j] * jump[j]
                    : 0.0;
    }
@@ -295,7 +307,10 @@ bool ContactPair::UpdateActiveSet()
    for (int j = 0; j < active.Size(); j++)
    {
       const real_t area = operators.area[j];
-      const real_t trial = multiplier[j] + penalty[j] * gap[j];
+      // A predicted gap is off by more than what penetrates.
+      const real_t stiffness =
+         predicting ? std::min(penalty[j], resistance[j]) : penalty[j];
+      const real_t trial = multiplier[j] + stiffness * gap[j];
       const bool touches =
          area > 0.0 &&
          (trial < 0.0 || (assume_touching && gap[j] <= touching) ||
@@ -310,10 +325,11 @@ bool ContactPair::UpdateActiveSet()
       active[j] = touches ? 1.0 : 0.0;
       sealing[j] = seals ? 1.0 : 0.0;
       gap_weights[j] = touches ? area * penalty[j] : 0.0;
-      jump_weights[j] = seals ? area * pressure_penalty[j] : 0.0;
+      jump_weights[j] = Exchanges(j) ? area * pressure_penalty[j] : 0.0;
    }
    assume_touching = false;
    release_nothing = false;
+   predicting = false;
    React();
    return AnyRank(changed, comm);
 }
@@ -388,6 +404,7 @@ void ContactPair::StartStage()
    last_penetration = std::numeric_limits<real_t>::infinity();
    last_jump = std::numeric_limits<real_t>::infinity();
    seal_opened = false;
+   predicting = true;
 }
 
 bool ContactPair::StiffenIfSlow(real_t peak_pressure)

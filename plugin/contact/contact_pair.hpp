@@ -94,6 +94,10 @@ public:
    }
    const ContactSurface &Destination() const { return destination; }
 
+   /// Vertices (multiplier true dofs) whose pressure boundary conditions hold:
+   /// no fluid passes there, as no pressure of theirs could close the jump.
+   void SetHeldPressures(const mfem::Array<int> &vertices);
+
    /// Prepares for steps of length @a dt (time); until then for steady flow.
    void SetTimeStep(mfem::real_t dt);
 
@@ -208,6 +212,10 @@ public:
    mfem::real_t SearchRadius() const { return gap_options.search_radius; }
 
 private:
+   bool Exchanges(int vertex) const
+   {
+      return sealing[vertex] > 0.5 && !pressure_held[vertex];
+   }
    void TakeMultipliers();
    mfem::real_t TouchingGap() const;
    void SetPenalties();
@@ -237,11 +245,16 @@ private:
    bool searched = false;
    bool assume_touching = false;
    bool release_nothing = false;
+   /// Before the first iteration of a stage.
+   bool predicting = false;
+   mfem::Array<bool> pressure_held;
    /// Seals that broke in this stage.
    mfem::Array<bool> seal_opened;
    mfem::real_t time_step = std::numeric_limits<mfem::real_t>::infinity();
    bool reached = false;
 
+   /// What the bodies resist at a vertex (stress / length).
+   mfem::Vector resistance;
    mfem::Vector penalty;
    mfem::Vector pressure_penalty;
    mfem::Vector multiplier;

@@ -88,7 +88,7 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
       result.penetration =
          std::max(result.penetration, active[j] * std::abs(gap[j]));
       result.pressure_jump =
-         std::max(result.pressure_jump, sealing[j] * std::abs(jump[j]));
+         std::max(result.pressure_jump, Exchanges(j) ? std::abs(jump[j]) : 0.0);
       result.peak_traction = std::max(result.peak_traction, -traction[j]);
       result.peak_pressure =
          std::max(result.peak_pressure, sealing[j] * pressure[j]);

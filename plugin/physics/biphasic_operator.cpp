@@ -72,8 +72,9 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
       smooth_stabilisation =
          std::make_unique<SmoothStabilisation>(spaces, materials);
    }
-   for (const ContactPair *pair : pairs)
+   for (ContactPair *pair : pairs)
    {
+      pair->SetHeldPressures(spaces.VerticesAmong(conditions.PressureDofs()));
       contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
       contact_pressure_dofs.Append(pair->Destination().PressureTrueDofs());
    }

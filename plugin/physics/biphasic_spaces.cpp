@@ -42,4 +42,28 @@ BiphasicSpaces::BiphasicSpaces(ParMesh &mesh, int order_)
    offsets[2] = offsets[1] + pressure->GetTrueVSize();
 }
 
+Array<int> BiphasicSpaces::VerticesAmong(const Array<int> &pressure_dofs) const
+{
+   Array<int> among(pressure->GetTrueVSize());
+   among = 0;
+   for (const int dof : pressure_dofs)
+   {
+      among[dof] = 1;
+   }
+   Array<int> vertices;
+   Array<int> dofs;
+   for (int v = 0; v < pressure->GetMesh()->GetNV(); v++)
+   {
+      pressure->GetVertexDofs(v, dofs);
+      const int dof = pressure->GetLocalTDofNumber(dofs[0]);
+      if (dof >= 0 && among[dof])
+      {
+         multiplier->GetVertexDofs(v, dofs);
+         vertices.Append(multiplier->GetLocalTDofNumber(dofs[0]));
+      }
+   }
+   vertices.Sort();
+   return vertices;
+}
+
 } // namespace synovia

@@ -30,6 +30,9 @@ public:
    /// itself where that has order 1.
    mfem::ParFiniteElementSpace &Multiplier() { return *multiplier; }
 
+   /// Multiplier true dofs of the vertices among pressure true dofs, sorted.
+   mfem::Array<int> VerticesAmong(const mfem::Array<int> &pressure_dofs) const;
+
    /// Offsets of the true dofs of displacement and pressure in a block vector.
    const mfem::Array<int> &Offsets() const { return offsets; }
    mfem::ParMesh &GetMesh() { return *displacement->GetParMesh(); }

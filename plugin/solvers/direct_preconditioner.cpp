@@ -24,6 +24,10 @@ constexpr real_t like_column = 1e-2;
 // sides are gathered on one rank.
 constexpr real_t column_cost = 0.1;
 constexpr int batch = 64;
+// Old factors that need more iterations than this will soon be renewed anyway;
+// sooner if partners changed, which each vertex in contact feels.
+constexpr int stale_patience = 12;
+constexpr int moved_patience = 4;
 // More make the dense part of the update slower than a solve.
 constexpr int most_columns = 1000;
 
@@ -60,6 +64,12 @@ DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
      comm(comm_), renew_after(renew_after_), update(comm)
 {
+}
+
+void DirectPreconditioner::ContactMoved()
+{
+   rows.clear();
+   moved = true;
 }
 
 bool DirectPreconditioner::IsLikeFactorised() const
@@ -144,6 +154,7 @@ void DirectPreconditioner::Factorise()
       jump_weights.push_back(pair->JumpWeights());
    }
    outdated = false;
+   moved = false;
    extra_solves = 0.0;
    update.Set({}, Vector());
    columns.clear();
@@ -280,11 +291,18 @@ bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
    return true;
 }
 
+int DirectPreconditioner::Patience() const
+{
+   const int stale = moved ? moved_patience : stale_patience;
+   return fresh ? renew_after : std::min(renew_after, stale);
+}
+
 bool DirectPreconditioner::Report(int iterations, bool converged)
 {
    extra_solves += std::max(0, iterations - 1);
-   outdated = extra_solves >= renew_after;
-   return !converged && !fresh;
+   const bool again = !converged && !fresh;
+   outdated = again || extra_solves >= renew_after;
+   return again;
 }
 
 void DirectPreconditioner::Mult(const Vector &x, Vector &y) const

@@ -24,10 +24,10 @@ public:
    DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
                         int renew_after);
 
-   void ContactMoved() override { rows.clear(); }
+   void ContactMoved() override;
    void Update() override;
    bool Report(int iterations, bool converged) override;
-   int Patience() const override { return renew_after; }
+   int Patience() const override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
@@ -68,6 +68,8 @@ private:
    mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;
+   /// Whether operators are others than those factorised.
+   bool moved = false;
    mfem::real_t dt = -1.0;
    std::vector<mfem::Vector> gap_weights;
    std::vector<mfem::Vector> jump_weights;
