@@ -463,6 +463,11 @@ void ContactPair::Predict(real_t time)
    }
 }
 
+void ContactPair::ForgetPast()
+{
+   stored.time[0] = stored.time[1];
+}
+
 std::array<Vector *, 10> ContactPair::WorkingVectors()
 {
    return {

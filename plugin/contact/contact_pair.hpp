@@ -169,6 +169,9 @@ public:
    /// Sets the multipliers for a solve at @a time: extrapolated from the last
    /// two that were stored, as far as there are.
    void Predict(mfem::real_t time);
+   /// Leaves one time to predict from: multipliers will change otherwise than
+   /// they did.
+   void ForgetPast();
 
    /// Remembers everything that a step changes, and goes back to what was
    /// remembered, but for the gap operators: the next Search() makes those.

@@ -146,6 +146,15 @@ void BiphasicOperator::AcceptStep()
    }
 }
 
+void BiphasicOperator::ForgetRate()
+{
+   rate = 0.0;
+   for (ContactPair *pair : pairs)
+   {
+      pair->ForgetPast();
+   }
+}
+
 void BiphasicOperator::RejectStep()
 {
    rate = accepted.rate;

@@ -74,6 +74,9 @@ public:
 
    void BeginStep() { report = SolveReport(); }
    void AcceptStep();
+   /// To be called before AcceptStep() where loads have a corner: the next step
+   /// has other rates, and is not to be guessed from this one's.
+   void ForgetRate();
    /// Goes back to what was accepted last: rates, multipliers, active and
    /// sealing sets, drained dofs, support forces and fluid balance.
    void RejectStep();

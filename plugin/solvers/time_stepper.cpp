@@ -324,13 +324,18 @@ StepReport TimeStepper::Step()
 
 void TimeStepper::Accept(const Try &result, real_t target, bool jump)
 {
+   const Stop &stop = NextStop(time);
+   const bool stops_here = target == stop.time;
+   const bool corner = stops_here && stop.corner;
+   smooth = !jump && !corner;
+   if (corner)
+   {
+      op.ForgetRate();
+   }
    op.AcceptStep();
    subtract(1.0 / result.step.dt, result.state.GetBlock(0), state.GetBlock(0),
             velocity);
    state = result.state;
-   const Stop &stop = NextStop(time);
-   const bool stops_here = target == stop.time;
-   smooth = !jump && !(stops_here && stop.corner);
    if (stops_here)
    {
       goal = target;
