@@ -96,6 +96,7 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
      comm(comm_), displacement(FreeStiffness(jacobian_),
                                jacobian_.DisplacementDofs(), ElasticityAmg())
 {
+   work.setups++;
 }
 
 void BlockAmgPreconditioner::ContactMoved()
@@ -126,7 +127,7 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    }
    if (moved || gaps_changed)
    {
-      displacement.SetWeights(gap_weights);
+      work.factorisations += displacement.SetWeights(gap_weights);
    }
 }
 
@@ -145,6 +146,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       pressure.reset();
       pressure = std::make_unique<FilteredAmg>(jacobian.SchurComplement(),
                                                p_dofs, FlowAmg());
+      work.setups++;
    }
    if (moved || other_matrix)
    {
@@ -157,7 +159,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       {
          w *= dt;
       }
-      pressure->SetWeights(weights);
+      work.factorisations += pressure->SetWeights(weights);
    }
 }
 

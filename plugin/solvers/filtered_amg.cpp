@@ -132,11 +132,11 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    }
 }
 
-void FilteredAmg::SetWeights(const std::vector<Vector> &weights)
+bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
 {
    if (!has_contact)
    {
-      return;
+      return false;
    }
    penalties.reset();
    for (size_t i = 0; i < factors_in_contact.size(); i++)
@@ -151,6 +151,7 @@ void FilteredAmg::SetWeights(const std::vector<Vector> &weights)
    const std::unique_ptr<HypreParMatrix> whole(
       Add(1.0, *matrix_in_contact, 1.0, *penalties));
    contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
+   return true;
 }
 
 void FilteredAmg::Filter(const Vector &r, Vector &c) const

@@ -30,9 +30,9 @@ public:
    /// Takes other contact operators F, rows x true dofs. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow. Collective.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
-   /// Takes other weights, not negative, for each factor, and factorises.
-   /// Collective.
-   void SetWeights(const std::vector<mfem::Vector> &weights);
+   /// Takes other weights, not negative, for each factor, and factorises, which
+   /// it says if there is anything to factorise. Collective.
+   bool SetWeights(const std::vector<mfem::Vector> &weights);
 
    void SetOperator(const mfem::Operator &) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
