@@ -88,7 +88,7 @@ std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
    amg->SetSystemsOptions(3, false);
    // Its smoother works slowly on what keeps the volume of a nearly
    // incompressible solid (Poisson's ratio above 0.47): two V-cycles then take
-   // 30 iterations instead of 45, for about the same work.
+   // 30 iterations instead of 45, for somewhat more work in all.
    constexpr real_t nearly_incompressible = 20.0;
    if (matrices.incompressibility > nearly_incompressible)
    {

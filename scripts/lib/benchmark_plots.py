@@ -124,8 +124,9 @@ def draw_iterations(axes, sweep: Sweep, store: Store) -> None:
             axes.plot(curve.x, most, label=curve.name, **look(i))
             axes.plot(curve.x, curve.column("mean_linear"),
                       color=look(i)["color"], linewidth=0.7)
-        axes.plot(curve.failed_x, [0.0] * len(curve.failed_x), "x",
-                  color=style.RED, clip_on=False)
+        if curve.failed_x:
+            axes.plot(curve.failed_x, [0.0] * len(curve.failed_x), "x",
+                      color=style.RED, clip_on=False)
     axes.axhline(MOST, **style.REFERENCE)
     axes.set_ylim(0, 1.15 * highest)
     set_axis(axes, sweep)
@@ -156,8 +157,9 @@ def iterations_figure(sweeps: list[Sweep], store: Store):
         own = dict(zip(*reversed(panel.get_legend_handles_labels())))
         if len(own) > 2:
             panel.legend(fontsize=6.5, ncols=2, loc="upper left",
-                         handlelength=1.6, columnspacing=0.8)
-            panel.set_ylim(top=1.75 * panel.get_ylim()[1])
+                         handlelength=1.6, columnspacing=0.8,
+                         borderaxespad=0.0).set_in_layout(False)
+            panel.set_ylim(top=1.6 * panel.get_ylim()[1])
         else:
             handles |= {name: handle for name, handle in own.items()
                         if name not in ("strong", "weak")}
@@ -168,7 +170,7 @@ def iterations_figure(sweeps: list[Sweep], store: Store):
     handles["mean"] = plt.Line2D([], [], color=style.BLUE, linewidth=0.7)
     handles["limit"] = plt.Line2D([], [], **style.REFERENCE)
     key.legend(handles.values(), handles.keys(), loc="center left",
-               title="most of a linear system")
+               title="most of a linear system").set_in_layout(False)
     return figure
 
 
@@ -198,7 +200,6 @@ def costs_figure(sweep: Sweep, store: Store):
     left.set_xticks(places, [f"{x:,.0f}" for x in shown.x], rotation=30)
     left.set_xlabel(f"unknowns ({shown.name})")
     left.set_ylabel("part of the time")
-    left.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     for i, curve in enumerate(found):
         middle.plot(curve.x, curve.column("dofs_per_second"),
                     label=curve.name, **look(i))
@@ -208,7 +209,10 @@ def costs_figure(sweep: Sweep, store: Store):
         axes.set_ylabel(name)
         axes.set_xscale("log")
         axes.set_yscale("log")
-    middle.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.9, 1.0))
+    figure.legend(*left.get_legend_handles_labels(), ncols=2,
+                  loc="outside upper left")
+    figure.legend(*middle.get_legend_handles_labels(), ncols=3,
+                  loc="outside upper right")
     return figure
 
 
@@ -243,5 +247,6 @@ def ranks_figure(strong: Sweep, weak: Sweep, store: Store):
     right.set_xticks(places, [f"{x:g}" for x in found[0].x])
     right.set_xlabel("ranks (same problem)")
     right.set_ylabel("part of the time")
-    right.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    figure.legend(*right.get_legend_handles_labels(), ncols=5,
+                  loc="outside upper right")
     return figure

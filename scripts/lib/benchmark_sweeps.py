@@ -57,7 +57,7 @@ def decades(first: int, last: int, stride: int = 1) -> tuple[float, ...]:
 
 
 FULL = Extent(
-    base=8, sizes=(4, 6, 8, 12, 16), large=16, each=10,
+    base=8, sizes=(6, 8, 12, 16), large=16, each=10,
     orders=(("hex", 1), ("hex", 2), ("hex", 3), ("tet", 1), ("tet", 2),
             ("tet", 3)),
     steps=decades(-3, 3), permeabilities=decades(-9, 1),
@@ -145,7 +145,7 @@ def make_sweeps(extent: Extent, ranks: Iterable[int]) -> list[Sweep]:
               lambda x: {"step": x}),
         along(extent, "poisson", "Poisson's ratio", extent.poissons,
               lambda x: {"poisson": x}, logarithmic=False),
-        along(extent, "jump", "stiffness of the upper layer over the lower",
+        along(extent, "jump", "stiffness jump",
               extent.jumps, lambda x: {"jump": x}),
         along(extent, "penalty", "penalty over the default",
               extent.penalties, lambda x: {"penalty_factor": PENALTY * x},

@@ -3,7 +3,8 @@
 
 Requirements: as many unknowns as the mesh has; every order, element and solver
 converges; the same forces with either solver, on one rank and on two; contact
-forces in balance; volume matrices assembled once, a kept factorisation once;
+forces in balance; volume matrices assembled, hierarchies set up and a kept
+factorisation made once; few iterations whatever the material and the penalty;
 what goes wrong is said.
 """
 
@@ -89,7 +90,8 @@ def check_orders(run: Runs) -> None:
             check(row["dofs"] == unknowns(order),
                   f"order {order}: {row['dofs']:.0f} unknowns")
             check(row["cells"] == SIZE ** 2 * 2 + UPPER ** 2, "cells")
-            check((row["setups"] > 0) == (solver == "block_amg"), "set-ups")
+            check(row["setups"] == (2 if solver == "block_amg" else 0),
+                  "one hierarchy for displacements, one for pressures")
             forces.append(row["force"])
             if solver == "direct":
                 check(row["factorisations"] == 1, "one factorisation")
@@ -110,6 +112,22 @@ def check_options(run: Runs) -> None:
     check(abs(row["force"] / -0.2 - 1.0) < 1e-2, f"force {row['force']:.4f} N")
 
 
+def check_iterations(run: Runs) -> None:
+    block_amg = ["--solver", "block_amg", "--steps", "1"]
+    usual = run(1, *block_amg, "--size", "6", "--no-contact")
+    for options in (["--poisson", "0.49"], ["--permeability", "1e-9"],
+                    ["--jump", "1e4"]):
+        row = run(1, *block_amg, "--size", "6", "--no-contact", *options)
+        most = row["most_linear"]
+        check(most <= min(40, 1.5 * usual["most_linear"]),
+              f"{' '.join(options)}: {most:.0f} iterations, "
+              f"{usual['most_linear']:.0f} at the base point")
+    for factor in ("1e2", "1e8"):
+        row = run(1, *block_amg, "--size", "4", "--penalty-factor", factor)
+        check(row["most_linear"] <= 25, f"penalty factor {factor}: "
+              f"{row['most_linear']:.0f} iterations")
+
+
 def check_errors(run: Runs) -> None:
     for arguments, word in ((["--elements", "prism"], "hex or tet"),
                             (["--size", "0"], "at least one cell"),
@@ -128,6 +146,7 @@ def main() -> None:
         run = Runs(pathlib.Path(name) / "rows.csv")
         check_orders(run)
         check_options(run)
+        check_iterations(run)
         check_errors(run)
     finish()
 
