@@ -46,8 +46,8 @@ class Runs:
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def __call__(self, ranks: int, *arguments: str) -> dict[str, float]:
-        result = self.start(ranks, "--size", str(SIZE), "--csv", self.table,
-                            *arguments)
+        size = [] if "--size" in arguments else ["--size", str(SIZE)]
+        result = self.start(ranks, *size, "--csv", self.table, *arguments)
         if result.returncode != 0:
             print(result.stdout)
         check(result.returncode == 0, f"{ranks} ranks, {' '.join(arguments)}")
