@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Iterable
 
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 
 import figure_style as style
 from benchmark_runs import Row, Store
@@ -104,8 +105,18 @@ def set_axis(axes, sweep: Sweep) -> None:
     axes.set_xlabel(sweep.label)
     if sweep.logarithmic:
         axes.set_xscale("log")
+    if sweep.label == "unknowns":
+        set_size_ticks(axes)
     if sweep.label == "ranks":
         set_rank_ticks(axes, sorted({p.x for p in sweep.points}))
+
+
+def set_size_ticks(axes) -> None:
+    """Unknowns, as 1k, 2k, 5k and so on."""
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.xaxis.set_major_formatter(lambda x, _: f"{1e-3 * x:g}k")
+    axes.xaxis.set_minor_formatter(NullFormatter())
 
 
 def set_rank_ticks(axes, ranks: list[float]) -> None:
@@ -207,8 +218,9 @@ def costs_figure(sweep: Sweep, store: Store):
     for axes, name in ((middle, "unknowns × steps / s"), (right, "memory (MiB)")):
         axes.set_xlabel("unknowns")
         axes.set_ylabel(name)
-        axes.set_xscale("log")
+        set_size_ticks(axes)
         axes.set_yscale("log")
+        axes.yaxis.set_minor_formatter(NullFormatter())
     figure.legend(*left.get_legend_handles_labels(), ncols=2,
                   loc="outside upper left")
     figure.legend(*middle.get_legend_handles_labels(), ncols=3,
