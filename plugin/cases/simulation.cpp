@@ -379,9 +379,10 @@ void Simulation::Finish()
    const PhaseTimes &phases = problem.Get().Operator().Times();
    std::ostringstream text;
    text << std::fixed << std::setprecision(1) << "total " << watch.RealTime()
-        << " s: linear systems " << phases.linear << " s, contact search "
-        << phases.search << " s, assembly " << phases.assembly << " s, output "
-        << output_seconds << " s";
+        << " s: linear systems " << phases.linear << " s, their set-up "
+        << phases.setup << " s, contact search " << phases.search
+        << " s, assembly " << phases.assembly << " s, output " << output_seconds
+        << " s";
    Say(text.str());
 }
 

@@ -78,6 +78,11 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    row.emplace_back("solver.augmentations", report.solve.augmentations);
    row.emplace_back("solver.linear", report.solve.linear);
    row.emplace_back("solver.most_linear", report.solve.most_linear);
+   row.emplace_back("solver.assemblies", report.work.assemblies);
+   row.emplace_back("solver.searches", report.work.searches);
+   row.emplace_back("solver.setups", report.work.setups);
+   row.emplace_back("solver.factorisations", report.work.factorisations);
+   row.emplace_back("solver.columns", report.work.columns);
    row.emplace_back("solver.seconds", report.seconds);
    return row;
 }

@@ -18,7 +18,10 @@ namespace synovia
 ///     .fluid_exchange (volume / time, from source to destination)
 ///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
 ///     fluid.peak_pressure
-///     solver.newton, .augmentations, .linear, .most_linear, .seconds
+///     solver.newton, .augmentations, .linear, .most_linear
+///     solver.assemblies, .searches, .setups, .factorisations, .columns (see
+///     WorkCounts; of all tries)
+///     solver.seconds
 ///
 /// Collective.
 History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,

@@ -47,9 +47,9 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
      rate(height), support(spaces.Offsets()[1])
 {
-   const PhaseTimer timer(times.assembly);
    rate = 0.0;
    support = 0.0;
+   work.assemblies++;
    for (const SpringFoundation &springs : conditions.Springs())
    {
       matrices.stiffness.reset(
@@ -58,8 +58,11 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
    jacobian = std::make_unique<BiphasicJacobian>(
       matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs,
       rigid.Any() ? &rigid : nullptr);
-   linear =
-      std::make_unique<BiphasicLinearSolver>(*jacobian, spaces, options.linear);
+   {
+      const PhaseTimer timer(times.setup);
+      linear = std::make_unique<BiphasicLinearSolver>(*jacobian, spaces,
+                                                      options.linear);
+   }
    if (rigid.Any())
    {
       Vector low;
@@ -69,6 +72,7 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
    }
    if (matrices.stabilisation)
    {
+      const PhaseTimer timer(times.assembly);
       smooth_stabilisation =
          std::make_unique<SmoothStabilisation>(spaces, materials);
    }
@@ -130,6 +134,13 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    rate = k;
    rate_dt = dt;
    RecordBalance(stage);
+}
+
+WorkCounts BiphasicOperator::Work() const
+{
+   WorkCounts all(work);
+   all += linear->Work();
+   return all;
 }
 
 void BiphasicOperator::AcceptStep()
@@ -210,6 +221,7 @@ void BiphasicOperator::Search(const Stage &stage)
       jacobian->ContactMoved();
       linear->ContactMoved();
       report.searches++;
+      work.searches++;
    }
 }
 
@@ -533,23 +545,24 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       const real_t target =
          pairs.empty() ? 1.0
                        : std::max(1.0, options.active_set_tolerance * norm);
+      StopWatch watch;
+      watch.Start();
+      const BiphasicLinearSolver::Result result =
+         linear->Solve(residual, step, tolerance, target);
+      times.setup += result.setup_seconds;
+      times.linear += watch.RealTime() - result.setup_seconds;
+      report.newton++;
+      report.linear += result.iterations;
+      report.most_linear = std::max(report.most_linear, result.iterations);
+      rigid.Distribute(step.GetBlock(0));
+      if (Escapes(step.GetBlock(0)))
       {
-         const PhaseTimer timer(times.linear);
-         const BiphasicLinearSolver::Result result =
-            linear->Solve(residual, step, tolerance, target);
-         report.newton++;
-         report.linear += result.iterations;
-         report.most_linear = std::max(report.most_linear, result.iterations);
-         rigid.Distribute(step.GetBlock(0));
-         if (Escapes(step.GetBlock(0)))
-         {
-            return false;
-         }
-         if (!result.converged)
-         {
-            return Fail("the linear solver did not converge in " +
-                        std::to_string(result.iterations) + " iterations");
-         }
+         return false;
+      }
+      if (!result.converged)
+      {
+         return Fail("the linear solver did not converge in " +
+                     std::to_string(result.iterations) + " iterations");
       }
       stage.u += step.GetBlock(0);
       stage.p += step.GetBlock(1);

@@ -44,6 +44,9 @@ struct PhaseTimes
 {
    mfem::real_t assembly = 0.0;
    mfem::real_t search = 0.0;
+   /// Hierarchies, factorisations and updates of preconditioners.
+   mfem::real_t setup = 0.0;
+   /// Linear systems without that.
    mfem::real_t linear = 0.0;
 };
 
@@ -86,6 +89,8 @@ public:
    void Archive(StateArchive &archive);
    const SolveReport &Report() const { return report; }
    const PhaseTimes &Times() const { return times; }
+   /// What was done since the start, rejected steps included.
+   WorkCounts Work() const;
 
    BiphasicSpaces &Spaces() { return spaces; }
    BoundaryConditions &Conditions() { return conditions; }
@@ -165,6 +170,8 @@ private:
    std::unique_ptr<mfem::HypreParMatrix> vertices_to_pressure;
    mfem::Array<int> contact_pressure_dofs;
    SolveReport report;
+   /// Without that of the linear solver.
+   WorkCounts work;
    /// Names of the pairs whose active set the last UpdateContact() changed.
    std::string unsettled;
    /// Rate of the last stage, a first guess for the next one, and the stage's

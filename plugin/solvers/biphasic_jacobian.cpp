@@ -136,14 +136,15 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
    return block;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::SchurComplement() const
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::SchurComplement(const Array<int> &dofs) const
 {
    // B K^-1 B^T is at most M / H_A, which it is where nothing can give way
    // sideways, and less the freer the body.
    constexpr real_t typical = 0.6;
    std::unique_ptr<HypreParMatrix> schur(
       Add(1.0, *FlowBlock(), typical, *matrices.compliance));
-   schur->EliminateBC(p_dofs, DIAG_ONE);
+   schur->EliminateBC(dofs, DIAG_ONE);
    return schur;
 }
 

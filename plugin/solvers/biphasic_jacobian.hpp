@@ -45,10 +45,11 @@ public:
    /// y += B x for x with zeros at prescribed dofs.
    void AddDivergence(const mfem::Vector &x, mfem::Vector &y) const;
 
-   /// dt L + S + c M / H_A with unit rows and columns for prescribed dofs: an
+   /// dt L + S + c M / H_A with unit rows and columns for some @a dofs: an
    /// approximation of the Schur complement, less its sign, but for the
    /// contact.
-   std::unique_ptr<mfem::HypreParMatrix> SchurComplement() const;
+   std::unique_ptr<mfem::HypreParMatrix>
+   SchurComplement(const mfem::Array<int> &dofs) const;
 
    /// Weights by true dof of the pressure that, on the diagonal, hold it at
    /// zero for all that a preconditioner needs. They depend on the time step.

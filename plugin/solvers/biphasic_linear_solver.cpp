@@ -87,7 +87,8 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
      force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
                                 MeanDiagonal(*jacobian.Volume().compliance)))
 {
-   if (Choose(options, spaces) == LinearMethod::direct)
+   options.method = Choose(options, spaces);
+   if (options.method == LinearMethod::direct)
    {
       preconditioner = std::make_unique<DirectPreconditioner>(
          jacobian, comm, options.renew_after);
@@ -144,7 +145,10 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
    while (again && !result.converged &&
           result.iterations < options.max_iterations)
    {
+      StopWatch watch;
+      watch.Start();
       preconditioner->Update();
+      result.setup_seconds += watch.RealTime();
       solver.SetMaxIter(std::min(preconditioner->Patience(),
                                  options.max_iterations - result.iterations));
       solver.Mult(right_side, x);

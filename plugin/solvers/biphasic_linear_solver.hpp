@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/biphasic_jacobian.hpp"
+#include "solvers/work_counts.hpp"
 
 namespace synovia
 {
@@ -45,10 +46,15 @@ public:
    virtual bool Report(int iterations, bool converged) = 0;
    /// Iterations after which a solve had better Report().
    virtual int Patience() const = 0;
+   /// What it did since the start: set-ups, factorisations, columns.
+   const WorkCounts &Work() const { return work; }
    void SetOperator(const mfem::Operator &) override
    {
       MFEM_ABORT("the preconditioner keeps its operator");
    }
+
+protected:
+   WorkCounts work;
 };
 
 /// What may be left of the residual of each equation, as norms of true-dof
@@ -87,13 +93,18 @@ public:
    {
       bool converged = false;
       int iterations = 0;
+      /// Wall time to bring the preconditioner up to date (s).
+      mfem::real_t setup_seconds = 0.0;
    };
    /// Solves J x = b, from zero, until the Norm() of what is left is at most
    /// @a target. Collective.
    Result Solve(const mfem::Vector &b, mfem::Vector &x,
                 const ResidualTolerance &tolerance, mfem::real_t target);
 
+   /// As given, but with the method that was chosen.
    const LinearOptions &Options() const { return options; }
+   /// What the preconditioner did since the start.
+   const WorkCounts &Work() const { return preconditioner->Work(); }
 
 private:
    const BiphasicJacobian &jacobian;

@@ -32,7 +32,10 @@ private:
    std::unique_ptr<FilteredAmg> pressure;
    bool moved = true;
    mfem::real_t dt = -1.0;
+   /// Pressures that the hierarchy takes for prescribed, and those that only
+   /// the filter does.
    mfem::Array<int> p_dofs;
+   mfem::Array<int> held;
    std::vector<mfem::Vector> gap_weights;
    std::vector<mfem::Vector> jump_weights;
    mutable mfem::Vector u_free;

@@ -163,6 +163,7 @@ void DirectPreconditioner::Factorise()
    holding = jacobian.Holding();
    factors =
       MakeDirectSolver(*jacobian.AssembleHeld(holding), MatrixKind::symmetric);
+   work.factorisations++;
 }
 
 const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
@@ -266,6 +267,7 @@ void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
       factors->ArrayMult(right_sides, solutions);
    }
    extra_solves += column_cost * keys.size();
+   work.columns += static_cast<int>(keys.size());
 }
 
 bool DirectPreconditioner::Follow(const std::vector<Change> &changes)

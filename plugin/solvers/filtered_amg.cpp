@@ -93,14 +93,22 @@ void FilteredAmg::SetOperator(const Operator &)
    MFEM_ABORT("the filtered multigrid keeps its operator");
 }
 
-void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
+Array<int>
+FilteredAmg::Touched(int size,
+                     const std::vector<const HypreParMatrix *> &factors)
 {
-   Array<int> marker(height);
+   Array<int> marker(size);
    marker = 0;
    for (const HypreParMatrix *factor : factors)
    {
       MarkColumns(*factor, marker);
    }
+   return marker;
+}
+
+void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
+{
+   Array<int> marker = Touched(height, factors);
    MarkNeighbours(*matrix, marker);
    for (const int dof : prescribed)
    {
@@ -132,11 +140,11 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    }
 }
 
-void FilteredAmg::SetWeights(const std::vector<Vector> &weights)
+bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
 {
    if (!has_contact)
    {
-      return;
+      return false;
    }
    penalties.reset();
    for (size_t i = 0; i < factors_in_contact.size(); i++)
@@ -150,7 +158,25 @@ void FilteredAmg::SetWeights(const std::vector<Vector> &weights)
    }
    const std::unique_ptr<HypreParMatrix> whole(
       Add(1.0, *matrix_in_contact, 1.0, *penalties));
+   HoldContact(*whole);
    contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
+   return true;
+}
+
+void FilteredAmg::HoldContact(HypreParMatrix &in_contact) const
+{
+   Array<int> places;
+   for (const int dof : held)
+   {
+      const int place = contact_dofs.FindSorted(dof);
+      MFEM_VERIFY(place >= 0 || prescribed.FindSorted(dof) >= 0,
+                  "a held dof is not one that contact touches");
+      if (place >= 0)
+      {
+         places.Append(place);
+      }
+   }
+   in_contact.EliminateBC(places, DIAG_ONE);
 }
 
 void FilteredAmg::Filter(const Vector &r, Vector &c) const
@@ -167,6 +193,7 @@ void FilteredAmg::SetResidual(const Vector &x, const Vector &y) const
    y.GetSubVector(contact_dofs, small_correction);
    penalties->Mult(-1.0, small_correction, 0.0, small_residual);
    residual.AddElementVector(contact_dofs, small_residual);
+   residual.SetSubVector(held, 0.0);
 }
 
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
@@ -177,12 +204,19 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
       return;
    }
    y = 0.0;
-   Filter(x, y);
+   residual = x;
+   residual.SetSubVector(held, 0.0);
+   Filter(residual, y);
    SetResidual(x, y);
    amg->Mult(residual, correction);
+   correction.SetSubVector(held, 0.0);
    y += correction;
    SetResidual(x, y);
    Filter(residual, y);
+   for (const int dof : held)
+   {
+      y[dof] = x[dof];
+   }
 }
 
 } // namespace synovia

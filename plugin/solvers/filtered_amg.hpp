@@ -15,8 +15,10 @@ namespace synovia
 /// A alone, stands between two exact solves on the dofs that contact touches:
 /// filter, V-cycle, filter, with the residual renewed in between. So neither
 /// the size of the penalty nor a change of the active set spoils the multigrid.
-/// The idea is AMG with filtering (Petrides et al. 2025); there the hierarchy
-/// is that of the whole matrix and the order is AMG, filter, AMG.
+/// Dofs that contact holds, such as pressures that drain where there is none,
+/// are left to the exact solves in the same way. The idea is AMG with filtering
+/// (Petrides et al. 2025); there the hierarchy is that of the whole matrix and
+/// the order is AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
@@ -30,9 +32,17 @@ public:
    /// Takes other contact operators F, rows x true dofs. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow. Collective.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
-   /// Takes other weights, not negative, for each factor, and factorises.
-   /// Collective.
-   void SetWeights(const std::vector<mfem::Vector> &weights);
+   /// Takes other dofs, ascending and among those that Touched() gives for the
+   /// factors, which are to be treated as if they were prescribed, although the
+   /// hierarchy knows nothing of it. SetWeights() must follow.
+   void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
+   /// Takes other weights, not negative, for each factor, and factorises, which
+   /// it says if there is anything to factorise. Collective.
+   bool SetWeights(const std::vector<mfem::Vector> &weights);
+
+   /// 1 for the dofs in which a factor has entries, 0 elsewhere. Collective.
+   static mfem::Array<int>
+   Touched(int size, const std::vector<const mfem::HypreParMatrix *> &factors);
 
    void SetOperator(const mfem::Operator &) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
@@ -40,9 +50,11 @@ public:
 private:
    void Filter(const mfem::Vector &residual, mfem::Vector &correction) const;
    void SetResidual(const mfem::Vector &x, const mfem::Vector &y) const;
+   void HoldContact(mfem::HypreParMatrix &in_contact) const;
 
    std::unique_ptr<mfem::HypreParMatrix> matrix;
    mfem::Array<int> prescribed;
+   mfem::Array<int> held;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
    mfem::Array<int> contact_dofs;
    bool has_contact = false;

@@ -317,6 +317,9 @@ StepReport TimeStepper::Step()
    }
    report.time = time;
    report.solves = recorder.Solves() - solves_before;
+   report.work = op.Work();
+   report.work -= reported;
+   reported += report.work;
    UpdateFields();
    report.seconds = watch.RealTime();
    return report;

@@ -51,6 +51,9 @@ struct StepReport
    int rejections = 0;
    /// Implicit solves of all tries.
    int solves = 0;
+   /// What all tries took; that of the first step includes what was done before
+   /// it.
+   WorkCounts work;
    /// Estimated error as error_tolerance has it; 0 where steps are fixed.
    mfem::real_t error = 0.0;
    /// Area in contact, of all pairs.
@@ -138,6 +141,8 @@ private:
    /// Where the present step ends if it is not cut: fixed steps only.
    mfem::real_t goal = 0.0;
    int steps = 0;
+   /// As far as it was reported.
+   WorkCounts reported;
    mfem::BlockVector state;
    mfem::Vector velocity;
    /// Whether the rate at the end of the last step says something of the next,

@@ -1,0 +1,393 @@
+//                  Two curved layers in contact, of any size
+//
+// What a contact problem costs, and how many iterations it takes: a mesh that
+// is made in memory and one row of numbers for each run.
+//
+//          | u_z = -approach in equal steps
+//      +-------------------+
+//      |   upper layer   __|   E x jump, follows the paraboloid z = r^2/(2 R)
+//      |________-----~~~~  :
+//      +-------------------+   E 0.5 MPa; both: nu 0.1, kappa 1e-3 mm^4/(N s),
+//      |   lower layer     |   1 mm thick, 2 mm wide
+//      +-------------------+
+//      /////////////////////   R = 10 mm, approach = 0.1 mm
+//
+// A quarter is modelled, by hexahedra or tetrahedra whose edges don't match
+// between the layers. Bones are impermeable, rims and surfaces without contact
+// drain freely. With --no-contact a normal traction of 0.1 E presses on the
+// surfaces between the layers instead, which drain. Each step is --step long
+// and has the same share of the load, whatever the step. Units are mm, N, s,
+// MPa.
+//
+// Linear systems are solved to --tolerance each, unlike those of other
+// programs, which solve less accurately while the active set changes
+// (--active-set-tolerance).
+//
+// scripts/benchmark makes tables and plots of many such runs.
+//
+// Sample runs:
+//   scaling
+//   mpirun -np 2 scaling --elements tet --size 10 --solver block_amg
+//   mpirun -np 2 scaling --order 1 --size 24 --csv scaling.csv
+//   scaling --order 3 --size 4 --jump 1e4 --permeability 1e-9 --solver
+//   block_amg
+
+#include "general/reduce.hpp"
+#include "general/resource_use.hpp"
+#include "io/csv_row.hpp"
+#include "mesh/curved_layers.hpp"
+#include "synovia.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+
+constexpr real_t young = 0.5;
+constexpr real_t approach = 0.1;
+constexpr real_t pressed = 0.1;
+
+struct Options
+{
+   const char *elements = "hex";
+   const char *solver = "auto";
+   const char *csv = "";
+   int size = 8;
+   int upper_size = 0;
+   int refine = 0;
+   int order = 2;
+   int steps = 2;
+   real_t permeability = 1e-3;
+   real_t step = 1.0;
+   real_t poisson = 0.1;
+   real_t jump = 1.0;
+   real_t penalty_factor = ContactOptions().penalty_factor;
+   real_t tolerance = LinearOptions().relative_tolerance;
+   real_t active_set_tolerance = 0.0;
+   bool contact = true;
+
+   bool Parse(int argc, char *argv[])
+   {
+      OptionsParser args(argc, argv);
+      args.AddOption(&elements, "-e", "--elements", "hex or tet.");
+      args.AddOption(&size, "-n", "--size",
+                     "Cells of the lower layer along an edge.");
+      args.AddOption(&upper_size, "-nu", "--upper-size",
+                     "The same for the upper layer; 0: three quarters of it.");
+      args.AddOption(&refine, "-r", "--refine",
+                     "Split all elements so often after they are distributed.");
+      args.AddOption(&order, "-o", "--order",
+                     "Order of the displacement; 1 is stabilised.");
+      args.AddOption(&permeability, "-k", "--permeability",
+                     "Permeability (mm^4/(N s)).");
+      args.AddOption(&step, "-dt", "--step", "Time step (s).");
+      args.AddOption(&steps, "-s", "--steps", "Number of steps.");
+      args.AddOption(&poisson, "-p", "--poisson", "Poisson's ratio.");
+      args.AddOption(&jump, "-j", "--jump",
+                     "How many times stiffer the upper layer is.");
+      args.AddOption(&penalty_factor, "-pf", "--penalty-factor",
+                     "Factor of both derived penalties.");
+      args.AddOption(&contact, "-c", "--contact", "-nc", "--no-contact",
+                     "Let the layers touch, or press on each of them.");
+      args.AddOption(&solver, "-ls", "--solver", "auto, block_amg or direct.");
+      args.AddOption(&tolerance, "-tol", "--tolerance",
+                     "Relative tolerance of the linear systems.");
+      args.AddOption(&active_set_tolerance, "-ast", "--active-set-tolerance",
+                     "Relative accuracy that suffices to find the active set; "
+                     "0 solves every linear system to the end.");
+      args.AddOption(&csv, "-csv", "--csv",
+                     "Append a row to this file, which is made if need be.");
+      return ParseCommandLine(args);
+   }
+
+   LayersOptions Layers() const
+   {
+      const std::string word = elements;
+      if (word != "hex" && word != "tet")
+      {
+         throw Error("--elements is hex or tet, not \"" + word + "\"");
+      }
+      LayersOptions layers;
+      layers.type = word == "hex" ? Element::HEXAHEDRON : Element::TETRAHEDRON;
+      layers.lower_cells = size;
+      layers.upper_cells = upper_size != 0 ? upper_size : (3 * size + 2) / 4;
+      layers.refine = refine;
+      return layers;
+   }
+
+   TimeOptions Times() const
+   {
+      if (steps < 1)
+      {
+         throw Error("--steps must be at least 1");
+      }
+      TimeOptions times;
+      times.step = step;
+      times.end = steps * step;
+      // Another step would be another problem.
+      times.cut_back = false;
+      return times;
+   }
+};
+
+/// What the layers are made of, and what presses them together.
+class Joint
+{
+public:
+   Joint(const Options &options, NamedMesh &mesh)
+      : lower(young, options.poisson),
+        upper(young * options.jump, options.poisson),
+        permeability(options.permeability), problem(mesh, Space(options))
+   {
+      const real_t end = options.Times().end;
+      problem.SetMaterial("lower", lower, permeability);
+      problem.SetMaterial("upper", upper, permeability);
+      problem.FixDisplacement("lower_bone");
+      problem.PrescribeDisplacement("upper_bone", 0, 0.0);
+      problem.PrescribeDisplacement("upper_bone", 1, 0.0);
+      problem.PrescribeDisplacement("symmetry_x", 0, 0.0);
+      problem.PrescribeDisplacement("symmetry_y", 1, 0.0);
+      problem.PrescribePressure("rims", 0.0);
+      if (options.contact)
+      {
+         ContactOptions contact;
+         contact.penalty_factor = options.penalty_factor;
+         problem.PrescribeDisplacement("upper_bone", 2, Ramp(end, -approach));
+         problem.AddContact("upper_contact", "lower_contact", contact);
+      }
+      else
+      {
+         problem.PrescribeDisplacement("upper_bone", 2, 0.0);
+         Press("lower_contact", pressed * young, end);
+         Press("upper_contact", pressed * young * options.jump, end);
+      }
+      NonlinearOptions nonlinear;
+      nonlinear.active_set_tolerance = options.active_set_tolerance;
+      nonlinear.linear.method = LinearMethodNamed(options.solver);
+      nonlinear.linear.relative_tolerance = options.tolerance;
+      problem.SetNonlinearOptions(nonlinear);
+   }
+   BiphasicProblem &Problem() { return problem; }
+
+private:
+   static SpaceOptions Space(const Options &options)
+   {
+      SpaceOptions space;
+      space.order = options.order;
+      return space;
+   }
+
+   void Press(const std::string &surface, real_t pressure, real_t end)
+   {
+      problem.AddNormalTraction(surface, Ramp(end, -pressure));
+      problem.PrescribePressure(surface, 0.0);
+   }
+
+   IsotropicElastic lower;
+   IsotropicElastic upper;
+   ConstantPermeability permeability;
+   BiphasicProblem problem;
+};
+
+/// What all steps took.
+struct Totals
+{
+   int steps = 0;
+   int newton = 0;
+   int augmentations = 0;
+   int linear = 0;
+   int most_linear = 0;
+   WorkCounts work;
+   /// Why the run ended early; empty if it did not.
+   std::string reason;
+   real_t area = 0.0;
+
+   void Add(const StepReport &report)
+   {
+      newton += report.solve.newton;
+      augmentations += report.solve.augmentations;
+      linear += report.solve.linear;
+      most_linear = std::max(most_linear, report.solve.most_linear);
+      work += report.work;
+      area = report.contact_area;
+      reason = report.reason;
+      steps += report.converged;
+   }
+};
+
+Totals March(TimeStepper &stepper)
+{
+   Totals totals;
+   while (!stepper.Done() && totals.reason.empty())
+   {
+      totals.Add(stepper.Step());
+   }
+   return totals;
+}
+
+void AddOptions(const Options &options, CsvRow &row)
+{
+   row.Add("elements", options.elements);
+   row.Add("size", options.size);
+   row.Add("upper_size", options.Layers().upper_cells);
+   row.Add("refine", options.refine);
+   row.Add("order", options.order);
+   row.Add("permeability", options.permeability);
+   row.Add("step", options.step);
+   row.Add("poisson", options.poisson);
+   row.Add("jump", options.jump);
+   row.Add("penalty_factor", options.penalty_factor);
+   row.Add("contact", options.contact ? 1 : 0);
+   row.Add("tolerance", options.tolerance);
+   row.Add("active_set_tolerance", options.active_set_tolerance);
+}
+
+void AddTotals(const Totals &totals, CsvRow &row)
+{
+   row.Add("converged", totals.reason.empty() ? 1 : 0);
+   row.Add("steps", totals.steps);
+   row.Add("newton", totals.newton);
+   row.Add("augmentations", totals.augmentations);
+   row.Add("linear", totals.linear);
+   row.Add("most_linear", totals.most_linear);
+   row.Add("mean_linear", totals.linear / std::max(1.0, 1.0 * totals.newton));
+   row.Add("assemblies", totals.work.assemblies);
+   row.Add("searches", totals.work.searches);
+   row.Add("setups", totals.work.setups);
+   row.Add("factorisations", totals.work.factorisations);
+   row.Add("columns", totals.work.columns);
+}
+
+/// Elements of the rank that has the most, over the mean.
+real_t Imbalance(const ParMesh &mesh)
+{
+   const real_t mine = mesh.GetNE();
+   return MaxOverRanks(mine, mesh.GetComm()) * mesh.GetNRanks() /
+          SumOverRanks(mine, mesh.GetComm());
+}
+
+real_t Dofs(BiphasicProblem &problem)
+{
+   return static_cast<real_t>(
+      problem.Spaces().Displacement().GlobalTrueVSize() +
+      problem.Spaces().Pressure().GlobalTrueVSize());
+}
+
+void AddSize(BiphasicProblem &problem, CsvRow &row)
+{
+   const ParMesh &mesh = problem.Mesh().Get();
+   row.Add("ranks", mesh.GetNRanks());
+   row.Add("cells", mesh.GetGlobalNE());
+   row.Add("dofs", Dofs(problem));
+   row.Add("imbalance", Imbalance(mesh));
+   const LinearMethod method =
+      problem.Operator().LinearSolver().Options().method;
+   for (const auto &[word, value] : LinearMethodWords())
+   {
+      if (value == method)
+      {
+         row.Add("solver", word);
+      }
+   }
+}
+
+void AddRates(BiphasicProblem &problem, const Totals &totals, real_t seconds,
+              CsvRow &row)
+{
+   const ResourceUse use = GetResourceUse(MPI_COMM_WORLD);
+   row.Add("dofs_per_second", totals.steps * Dofs(problem) /
+                                 MaxOverRanks(seconds, MPI_COMM_WORLD));
+   row.Add("cpu_seconds", use.cpu_seconds);
+   row.Add("memory_sum", use.memory_sum);
+   row.Add("memory_max", use.memory_max);
+}
+
+real_t Length(const Point3 &x)
+{
+   return std::sqrt(Dot(x, x));
+}
+
+/// What the results can be checked by.
+void AddResults(BiphasicProblem &problem, const Totals &totals, CsvRow &row)
+{
+   for (const BiphasicProblem::Support &support : problem.Supports())
+   {
+      if (support.boundary == "upper_bone")
+      {
+         row.Add("force", problem.Reaction(support)[2]);
+      }
+   }
+   real_t error = 0.0;
+   for (const ContactPair *pair : problem.Operator().Pairs())
+   {
+      const ContactPair::Diagnostics now = pair->Diagnose();
+      const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
+      const real_t size = Length(now.source_force);
+      error = size > 0.0 ? Length(sum) / size : 0.0;
+   }
+   row.Add("force_error", error);
+   row.Add("contact_area", totals.area);
+}
+
+/// Of the rank that takes longest in each; @a mesh and @a total as well.
+void AddTimes(const PhaseTimes &phases, real_t mesh, real_t total, CsvRow &row)
+{
+   const auto add = [&](const std::string &name, real_t seconds)
+   { row.Add("seconds_" + name, MaxOverRanks(seconds, MPI_COMM_WORLD)); };
+   add("mesh", mesh);
+   add("assembly", phases.assembly);
+   add("search", phases.search);
+   add("setup", phases.setup);
+   add("solve", phases.linear);
+   add("total", total);
+}
+
+int Run(int argc, char *argv[])
+{
+   Options options;
+   if (!options.Parse(argc, argv))
+   {
+      return 0;
+   }
+   StopWatch watch;
+   watch.Start();
+   NamedMesh mesh = MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);
+   const real_t mesh_seconds = watch.RealTime();
+   Joint joint(options, mesh);
+   BiphasicProblem &problem = joint.Problem();
+   TimeStepper stepper(problem, options.Times());
+   const Totals totals = March(stepper);
+   const real_t seconds = watch.RealTime() - mesh_seconds;
+
+   CsvRow row;
+   AddOptions(options, row);
+   AddSize(problem, row);
+   AddTotals(totals, row);
+   AddTimes(problem.Operator().Times(), mesh_seconds, seconds, row);
+   AddRates(problem, totals, seconds, row);
+   AddResults(problem, totals, row);
+   row.Add("reason", totals.reason);
+   if (Mpi::Root())
+   {
+      row.Print(std::cout);
+   }
+   if (*options.csv)
+   {
+      row.AppendTo(options.csv, MPI_COMM_WORLD);
+   }
+   return totals.reason.empty() ? 0 : 3;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+   Mpi::Init(argc, argv);
+   Hypre::Init();
+   return RunMain("scaling", Run, argc, argv);
+}

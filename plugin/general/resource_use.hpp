@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mfem.hpp"
+
+namespace synovia
+{
+
+/// What processes took of the machine since they started.
+struct ResourceUse
+{
+   /// Peak of the memory in use, summed over ranks, whose peaks need not be at
+   /// the same time, and of the rank with the highest one (MiB).
+   mfem::real_t memory_sum = 0.0;
+   mfem::real_t memory_max = 0.0;
+   /// Processor time of all ranks (s).
+   mfem::real_t cpu_seconds = 0.0;
+};
+
+/// Of all ranks so far, as the operating system counts it. Collective.
+ResourceUse GetResourceUse(MPI_Comm comm);
+
+} // namespace synovia

@@ -1,0 +1,106 @@
+#include "mesh/curved_layers.hpp"
+#include "general/error.hpp"
+#include "mesh/stack_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+void Check(const LayersOptions &options)
+{
+   const auto positive = [](real_t x) { return x > 0.0 && std::isfinite(x); };
+   if (options.lower_cells < 1 || options.upper_cells < 1)
+   {
+      throw Error(
+         "a layer needs at least one cell along an edge, not " +
+         std::to_string(std::min(options.lower_cells, options.upper_cells)));
+   }
+   if (options.refine < 0)
+   {
+      throw Error("elements can't be split " + std::to_string(options.refine) +
+                  " times");
+   }
+   if (!positive(options.width) || !positive(options.thickness) ||
+       !positive(options.curvature_radius))
+   {
+      throw Error("width, thickness and radius of curvature of the layers must "
+                  "be positive");
+   }
+   if (options.type != Element::HEXAHEDRON &&
+       options.type != Element::TETRAHEDRON)
+   {
+      throw Error("layers are made of hexahedra or tetrahedra");
+   }
+}
+
+// [0, width]^2 x [0, thickness], with curved elements.
+Mesh MakeSlab(const LayersOptions &options, int cells)
+{
+   const real_t through = cells * options.thickness / options.width;
+   Mesh slab = Mesh::MakeCartesian3D(
+      cells, cells, std::max(1, static_cast<int>(std::lround(through))),
+      options.type, options.width, options.width, options.thickness);
+   slab.SetCurvature(2);
+   return slab;
+}
+
+void Lower(Mesh &slab, real_t thickness)
+{
+   slab.Transform(
+      [thickness](const Vector &from, Vector &to)
+      {
+         to = from;
+         to[2] -= thickness;
+      });
+}
+
+void Bend(Mesh &slab, real_t radius)
+{
+   slab.Transform(
+      [radius](const Vector &from, Vector &to)
+      {
+         to = from;
+         to[2] += (from[0] * from[0] + from[1] * from[1]) / (2.0 * radius);
+      });
+}
+} // namespace
+
+NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
+{
+   Check(options);
+   Mesh lower = MakeSlab(options, options.lower_cells);
+   Mesh upper = MakeSlab(options, options.upper_cells);
+   Lower(lower, options.thickness);
+   Bend(upper, options.curvature_radius);
+   StackedBodies both = StackBodies({&lower, &upper});
+   // Of a slab MFEM numbers the faces z0, y0, x1, y1, x0, z1.
+   const int above = both.boundary_offsets[1];
+   NamedMesh layers =
+      DistributeMesh(both.mesh, {{"lower", {1}}, {"upper", {2}}},
+                     {{"lower_bone", {1}},
+                      {"lower_contact", {6}},
+                      {"upper_contact", {above + 1}},
+                      {"upper_bone", {above + 6}},
+                      {"symmetry_x", {5, above + 5}},
+                      {"symmetry_y", {2, above + 2}},
+                      {"rims", {3, 4, above + 3, above + 4}}},
+                     comm);
+   if (options.refine == 0)
+   {
+      return layers;
+   }
+   auto fine = std::make_unique<ParMesh>(layers.Get());
+   for (int i = 0; i < options.refine; i++)
+   {
+      fine->UniformRefinement();
+   }
+   return NamedMesh(std::move(fine), layers.Regions(), layers.Boundaries());
+}
+
+} // namespace synovia
