@@ -73,7 +73,10 @@ def join(patches: list[np.ndarray], name, order: int = 1) -> QuadMesh:
     scale = 1e-7 * np.ptp(points)
     _, first, same = np.unique(np.rint(points / scale), axis=0,
                                return_index=True, return_inverse=True)
-    same = same.ravel()
+    # In the order of the patches, which round-off does not change.
+    order_of_patches = np.argsort(first)
+    first = first[order_of_patches]
+    same = np.argsort(order_of_patches)[same.ravel()]
     quads, sides, start = [], [], 0
     for number, p in enumerate(patches):
         n, m = p.shape[0], p.shape[1]
