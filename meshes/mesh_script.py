@@ -30,7 +30,7 @@ def check_output(parser: argparse.ArgumentParser, output: str) -> None:
 
 
 def add_geometry_order(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--geometry-order", type=int, choices=(1, 2), default=2,
+    parser.add_argument("--geometry-order", type=int, choices=(1, 2), default=1,
                         help="1: straight edges; 2: nodes between the corners, "
                              "which lie on the surfaces too (default "
                              "%(default)s)")

@@ -44,7 +44,8 @@ def run(directory: pathlib.Path, angle: int, ranks: int,
     """The last row of the history; forces are those of the whole turn."""
     mesh = directory / f"{angle}.msh"
     subprocess.run([sys.executable, SOURCE / "meshes" / "meniscus_ring.py",
-                    "--angle", str(angle), "-o", mesh], check=True,
+                    "--angle", str(angle), "--geometry-order", "2",
+                    "-o", mesh], check=True,
                    stdout=subprocess.DEVNULL)
     command = [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia", CASE,
                "--output", directory / str(angle)]

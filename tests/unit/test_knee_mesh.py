@@ -133,7 +133,7 @@ class Knees(unittest.TestCase):
         image = write_nrrd("knee.nrrd", cls.labels, cls.affine)
         cls.knees = {
             "parametric": generate(knee_parametric.main, "parametric.msh",
-                                   "--size", "2.2"),
+                                   "--size", "2.2", "--geometry-order", "2"),
             "image": generate(knee_from_segmentation.main, "image.msh", image,
                               "--size", "2")}
 
@@ -341,7 +341,8 @@ class MeniscusRing(unittest.TestCase):
                 ("5", "0.6", {"symmetry_y", "symmetry_turned", "axis"})):
             with self.subTest(angle):
                 mesh, _ = generate(meniscus_ring.main, f"ring{angle}.msh",
-                                   "--angle", angle, "--size", size)
+                                   "--angle", angle, "--size", size,
+                                   "--geometry-order", "2")
                 self.assertEqual(set(mesh.surfaces), self.COMMON | more)
                 check_hexahedra(self, mesh, 0.2)
                 share = float(angle) / 360
@@ -370,7 +371,7 @@ class MeniscusRing(unittest.TestCase):
 
     def test_all_nodes_are_on_the_surfaces(self):
         mesh, _ = generate(meniscus_ring.main, "curved.msh", "--angle", "90",
-                           "--size", "2")
+                           "--size", "2", "--geometry-order", "2")
 
         def radius(surface: str, *middle: float) -> np.ndarray:
             return np.linalg.norm(mesh.x[np.unique(mesh.surfaces[surface])]
