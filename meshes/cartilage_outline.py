@@ -9,7 +9,7 @@ import numpy as np
 from quad_plane import QuadMesh, disc, join, patch, relax, resample
 
 
-def star_plane(outline: np.ndarray, size: float) -> QuadMesh:
+def star_plane(outline: np.ndarray, size: float, order: int = 1) -> QuadMesh:
     """Fills a closed curve which the middle of its box sees all of.
 
     The outline is n x 2, counter-clockwise, its edges will be called rim; size
@@ -19,14 +19,14 @@ def star_plane(outline: np.ndarray, size: float) -> QuadMesh:
     centre, half = 0.5 * (low + high), 0.5 * (high - low)
     scaled = (outline - centre) / half
     angle = np.arctan2(scaled[:, 1], scaled[:, 0])
-    order = np.argsort(angle)
+    turn = np.argsort(angle)
     across = 2 * float(np.sqrt(half[0] * half[1])) / size
     core = max(3, round(0.53 * across))
     rings = max(2, round(0.2 * across))
-    mesh = disc(core, rings)
+    mesh = disc(core, rings, order)
     points = mesh.points
-    radius = np.interp(np.arctan2(points[:, 1], points[:, 0]), angle[order],
-                       np.hypot(*scaled[order].T), period=2 * np.pi)
+    radius = np.interp(np.arctan2(points[:, 1], points[:, 0]), angle[turn],
+                       np.hypot(*scaled[turn].T), period=2 * np.pi)
     mesh.points = centre + half * points * radius[:, None]
     return relax(mesh, 10)
 
@@ -53,10 +53,11 @@ class FemoralOutline:
         return np.column_stack([np.interp(v, self.v, self.sides[side]), v])
 
 
-def femoral_plane(outline: FemoralOutline, size: float) -> QuadMesh:
+def femoral_plane(outline: FemoralOutline, size: float, order: int = 1
+                  ) -> QuadMesh:
     """Fills the outline with edges of about this length, named rim."""
     def count(length: float) -> int:
-        return max(2, round(length / size))
+        return order * max(2, round(length / size))
 
     shoulder, front = outline.shoulder, outline.front
     notch = outline.notch
@@ -89,4 +90,4 @@ def femoral_plane(outline: FemoralOutline, size: float) -> QuadMesh:
     joint = patch(south, north, west_line, east_line)
     cuts = np.cumsum([0, *across])
     patches += [joint[a:b + 1] for a, b in zip(cuts[:-1], cuts[1:])]
-    return relax(join(patches, lambda number, side: "rim"))
+    return relax(join(patches, lambda number, side: "rim", order))

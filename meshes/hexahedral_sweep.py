@@ -5,46 +5,54 @@ from __future__ import annotations
 import numpy as np
 
 from gmsh_bodies import Body
+from lagrange_element import (
+    HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE, QUADRANGLE_NODES, turned_over)
 from quad_plane import QuadMesh
-
-QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types
 
 
 def sweep(mesh: QuadMesh, columns: np.ndarray, lower: str, upper: str,
           prefix: str) -> Body:
     """A body whose surfaces are the lower and the upper one and the sides.
 
-    columns is n x (layers + 1) x 3, from the lower side to the upper one; seen
-    from above the mesh is counter-clockwise. Sides are named as the edges of
-    the mesh, all surfaces after the prefix.
+    The elements are of the mesh's order. columns is n x (order * layers + 1)
+    x 3, from the lower side to the upper one; seen from above the mesh is
+    counter-clockwise. Sides are named as the edges of the mesh, all surfaces
+    after the prefix.
     """
     n, levels = columns.shape[:2]
     points = columns.transpose(1, 0, 2).reshape(-1, 3)
-    quads = mesh.quads
-    hexahedra = np.concatenate(
-        [np.column_stack([quads + k * n, quads + (k + 1) * n])
-         for k in range(levels - 1)])
-    faces = {lower: quads[:, ::-1], upper: quads + (levels - 1) * n}
+    order, quads = mesh.order, mesh.quads
+    layers = np.arange(0, levels - 1, order)
+    in_quad = {tuple(ij): k for k, ij in enumerate(QUADRANGLE_NODES[order])}
+    hexahedra = np.stack(
+        [quads[:, in_quad[i, j]] + (layers[:, None] + k) * n
+         for i, j, k in HEXAHEDRON_NODES[order]], axis=-1)
+    faces = {lower: turned_over(quads), upper: quads + (levels - 1) * n}
     for name, edges in mesh.edges.items():
-        a, b = edges.T
-        faces[name] = np.concatenate(
-            [np.column_stack([a + k * n, b + k * n, b + (k + 1) * n,
-                              a + (k + 1) * n]) for k in range(levels - 1)])
-    return Body(points, [(HEXAHEDRON, (hexahedra + 1).ravel())],
-                {f"{prefix}_{name}": [(QUADRANGLE, (these + 1).ravel())]
+        along = edges[:, [0, 2, 1][::3 - order]]
+        faces[name] = np.stack(
+            [along[:, i] + (layers[:, None] + k) * n
+             for i, k in QUADRANGLE_NODES[order]], axis=-1)
+    return Body(points, [(HEXAHEDRON[order], (hexahedra + 1).ravel())],
+                {f"{prefix}_{name}": [(QUADRANGLE[order], (these + 1).ravel())]
                  for name, these in faces.items()})
 
 
+def _elements(body: Body, parts: list, dim: int) -> np.ndarray:
+    """Nodes of the elements, m x nodes x 3."""
+    (kind, nodes), = parts
+    order = 1 if kind in (QUADRANGLE[1], HEXAHEDRON[1]) else 2
+    return body.points[nodes.reshape(-1, (order + 1)**dim) - 1]
+
+
 def quads_of(body: Body, surface: str) -> np.ndarray:
-    """Corners of a surface's quadrangles, m x 4 x 3."""
-    (_, nodes), = body.surfaces[surface]
-    return body.points[nodes.reshape(-1, 4) - 1]
+    """Nodes of a surface's quadrangles, m x 4 or 9 x 3."""
+    return _elements(body, body.surfaces[surface], 2)
 
 
-def corners_of(body: Body) -> np.ndarray:
-    """Corners of the hexahedra, m x 8 x 3."""
-    (_, nodes), = body.volume
-    return body.points[nodes.reshape(-1, 8) - 1]
+def hexahedra_of(body: Body) -> np.ndarray:
+    """Nodes of the hexahedra, m x 8 or 27 x 3."""
+    return _elements(body, body.volume, 3)
 
 
 _CORNERS = np.array([(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
@@ -52,8 +60,8 @@ _CORNERS = np.array([(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
 
 
 def scaled_jacobian(body: Body) -> np.ndarray:
-    """The smallest of each element's corners: 1 for a cube."""
-    x = corners_of(body)
+    """The smallest of each element's corners, from them alone: 1 for a cube."""
+    x = hexahedra_of(body)
     worst = np.full(len(x), np.inf)
     for corner, *neighbours in _CORNERS:
         edges = x[:, neighbours] - x[:, [corner]]

@@ -6,8 +6,9 @@ import numpy as np
 
 import surface_gap
 from gmsh_bodies import Body
-from hexahedral_sweep import corners_of, quads_of, scaled_jacobian
+from hexahedral_sweep import hexahedra_of, quads_of, scaled_jacobian
 from knee_joint import FEMUR, MENISCUS, SIDES, TIBIA, Knee
+from lagrange_element import middle
 
 MIN_SCALED_JACOBIAN = 0.2
 
@@ -16,7 +17,7 @@ def check_quality(bodies: dict[str, Body]) -> None:
     for name, body in bodies.items():
         quality = scaled_jacobian(body)
         if quality.min() < MIN_SCALED_JACOBIAN:
-            x = corners_of(body)[np.argmin(quality)]
+            x = hexahedra_of(body)[np.argmin(quality)]
             place = ", ".join(f"{c:.1f}" for c in x.mean(axis=0))
             raise ValueError(
                 f"an element of {name} at ({place}) has a scaled Jacobian of "
@@ -32,7 +33,7 @@ def check(knee: Knee) -> list[str]:
              for body in bodies.values() for surface in body.surfaces}
     report = [f"femur lifted by {knee.lift:.3f} mm", *_gaps(quads)]
     _check_apart(bodies)
-    report.append("no corner or middle of an outer face is inside another body")
+    report.append("no node or middle of an outer face is inside another body")
     for surface in quads:
         if surface.endswith(("contact", "superior", "inferior")):
             turns = surface_gap.normal_turns(quads[surface])
@@ -63,15 +64,15 @@ def _gaps(quads: dict[str, np.ndarray]) -> list[str]:
 
 
 def _check_apart(bodies: dict[str, Body]) -> None:
-    """No corner or middle of an outer face is inside another body."""
+    """No node or middle of an outer face is inside another body."""
     for name, body in bodies.items():
         faces = np.concatenate([quads_of(body, s) for s in body.surfaces])
         points = np.concatenate([np.unique(faces.reshape(-1, 3), axis=0),
-                                 faces.mean(axis=1)])
+                                 middle(faces)])
         for other, hexahedra in bodies.items():
             if other == name:
                 continue
-            inside = surface_gap.points_inside(points, corners_of(hexahedra))
+            inside = surface_gap.points_inside(points, hexahedra_of(hexahedra))
             if inside.any():
                 place = ", ".join(f"{c:.1f}" for c in points[inside][0])
                 raise ValueError(f"{name} and {other} overlap at "

@@ -76,17 +76,19 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
     parser.add_argument("--inner-edge", type=mesh_script.positive, default=0.5,
                         help="thickness of the menisci at their inner edge "
                              "(mm, default %(default)s)")
+    mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
 
 
 def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     """Meshes the bodies; raises ValueError where they are not in their places.
     """
-    size = args.size
-    layers = max(2, round(CARTILAGE_LAYERS / size))
+    size, order = args.size, args.geometry_order
+    layers = order * max(2, round(CARTILAGE_LAYERS / size))
     bodies = {}
 
-    femoral = femoral_plane(anatomy.femoral_outline, FEMORAL_SIZE * size)
+    femoral = femoral_plane(anatomy.femoral_outline, FEMORAL_SIZE * size,
+                            order)
     femoral_columns = anatomy.femur.columns(*femoral.points.T, layers)
 
     def femur() -> Body:
@@ -97,7 +99,7 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     clearances = []
     for side, name in TIBIA.items():
         tibial[side] = star_plane(anatomy.tibial_outline[side],
-                                  TIBIAL_SIZE * size)
+                                  TIBIAL_SIZE * size, order)
         bodies[name] = sweep(
             tibial[side], anatomy.tibia[side].columns(*tibial[side].points.T,
                                                       layers),
@@ -119,9 +121,9 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
         fitted = Fitted(body, Cover(anatomy.tibia[side], tibial[side], False),
                         roof, lift, REACH)
         mesh = meniscus_wedge.plane(fitted, args.inner_edge,
-                                    MENISCAL_SIZE * size)
+                                    MENISCAL_SIZE * size, order)
         columns = meniscus_wedge.columns(
-            fitted, mesh, max(3, round(MENISCAL_LAYERS / size)))
+            fitted, mesh, order * max(3, round(MENISCAL_LAYERS / size)))
         bodies[name] = settle(columns, mesh, name,
                               quads_of(bodies[TIBIA[side]],
                                        f"{TIBIA[side]}_contact"),
@@ -154,8 +156,8 @@ def origin(body: Body, side: str, meniscus: Meniscus) -> np.ndarray:
     Medial: midway between the horns. Lateral: the middle of the meniscus, the
     centre of the circle that fits it.
     """
-    horns = [quads_of(body, f"{MENISCUS[side]}_horn_{end}").mean(axis=(0, 1))
-             for end in ("anterior", "posterior")]
+    horns = [quads_of(body, f"{MENISCUS[side]}_horn_{end}")[:, :4]
+             .mean(axis=(0, 1)) for end in ("anterior", "posterior")]
     if side == "medial":
         return 0.5 * (horns[0] + horns[1])
     centre, _ = circle(meniscus.place(0.5 * (meniscus.inner

@@ -18,8 +18,7 @@ The whole turn, or a quarter (symmetry_x: x = 0, symmetry_y: y = 0), or another
 wedge, which begins at symmetry_y and ends at symmetry_turned, and which leaves
 out the axis (surface axis, radius --hole).
 
-The femur touches the meniscus, and is clear of the tibia. All elements are of
-first order.
+The femur touches the meniscus, and is clear of the tibia.
 
 Sample runs:
   python3 meshes/meniscus_ring.py -o ring.msh                        # 16,000
@@ -42,7 +41,7 @@ try:
     import mesh_script
     from gmsh_bodies import Body
     from hexahedral_sweep import quads_of, sweep
-    from quad_plane import QuadMesh, disc, join, quarter_disc
+    from quad_plane import QuadMesh, disc, join, quarter_disc, radii_of_disc
 except ImportError as missing:
     sys.exit(f"meniscus_ring.py: error: {missing}; scripts/setup installs "
              "what scripts/requirements.txt lists")
@@ -54,40 +53,65 @@ REGIONS = {FEMUR: 1, TIBIA: 2, MENISCUS: 3}
 SIZE, CARTILAGE_LAYERS, MENISCAL_LAYERS = 0.8, 3, 6
 
 
-def sector(inner: float, outer: float, angle: float, size: float,
+def inner_radius(args: argparse.Namespace) -> float:
+    """Of the meniscus, where it is as thick as its inner edge should be."""
+    drop = args.inner_edge - args.clearance
+    return float(np.sqrt(drop * (2 * args.femoral_radius - drop)))
+
+
+def radii(stops: list[float], size: float, order: int) -> np.ndarray:
+    """Of the nodes, the stops among them."""
+    pieces = [np.linspace(a, b, order * max(1, round((b - a) / size)) + 1)[1:]
+              for a, b in zip(stops[:-1], stops[1:]) if a < b]
+    return np.concatenate([stops[:1], *pieces])
+
+
+def around(args: argparse.Namespace, size: float, angle: float) -> int:
+    """How many elements there are over an angle (degrees)."""
+    return max(1, round(np.radians(angle) * 0.6 * args.meniscal_radius / size))
+
+
+def sector(r: np.ndarray, args: argparse.Namespace, size: float,
            names: dict[str, str]) -> QuadMesh:
-    """Quadrangles between two radii, over an angle (degrees)."""
-    across = max(1, round((outer - inner) / size))
-    around = max(1, round(np.radians(angle) * 0.6 * outer / size))
-    r = np.linspace(inner, outer, across + 1)[:, None]
-    turn = np.radians(np.linspace(0, angle, around + 1))
+    """Quadrangles with nodes at these radii, over the angle to be meshed."""
+    angle, order = args.angle, args.geometry_order
+    turn = np.radians(np.linspace(
+        0, angle, order * around(args, size, angle) + 1))
+    r = r[:, None]
     patch = np.stack(np.broadcast_arrays(r * np.cos(turn), r * np.sin(turn)),
                      axis=-1)
     if angle == 360:
         patch[:, -1] = patch[:, 0]
     end = "symmetry_x" if angle == 90 else "symmetry_turned"
     names = {"south": "symmetry_y", "north": end, **names}
-    return join([patch], lambda number, side: names[side])
+    return join([patch], lambda number, side: names[side], order)
 
 
-def plate(radius: float, args: argparse.Namespace, size: float) -> QuadMesh:
-    """A disc, or the part of it that is to be meshed."""
-    core = max(3, round(1.06 * radius / size))
-    rings = max(2, round(0.4 * radius / size))
-    if args.angle == 360:
-        mesh = disc(core, rings)
-    elif args.angle == 90:
-        mesh = quarter_disc(max(2, round(0.5 * core)), rings)
-    else:
-        return sector(args.hole, radius, args.angle, size,
+def plate(args: argparse.Namespace, size: float) -> QuadMesh:
+    """A disc, or the part of it that is to be meshed.
+
+    From the meniscus's inner edge on it is made of circles, two of which are
+    the meniscus's edges: there the fluid begins to drain.
+    """
+    inner, order = inner_radius(args), args.geometry_order
+    core = max(2, round(0.5 * around(args, size, 90)))
+    rings = max(2, round(0.8 * inner / size))
+    outer = radii([inner, args.meniscal_radius, args.width], size, order)[1:]
+    if args.angle not in (90, 360):
+        r = inner * radii_of_disc(core, rings, order)
+        r = args.hole + (inner - args.hole) / inner * r
+        return sector(np.concatenate([r, outer]), args, size,
                       {"west": "axis", "east": "rim"})
-    mesh.points = radius * mesh.points
+    mesh = disc(2 * core, rings, order, outer / inner) if args.angle == 360 \
+        else quarter_disc(core, rings, order, outer / inner)
+    mesh.points = inner * mesh.points
     return mesh
 
 
 def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
     size = SIZE * args.size
-    layers = max(2, round(CARTILAGE_LAYERS / args.size))
+    order = args.geometry_order
+    layers = order * max(2, round(CARTILAGE_LAYERS / args.size))
     share = np.linspace(0, 1, layers + 1)[None, :, None]
     middle = args.femoral_radius + args.clearance
 
@@ -97,7 +121,7 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
         ray = np.column_stack([xy, -down]) / args.femoral_radius
         return np.array([0, 0, middle]) + radius * ray
 
-    mesh = plate(args.width, args, size)
+    mesh = plate(args, size)
     bone = on_sphere(mesh.points,
                      args.femoral_radius - args.femoral_thickness)
     contact = on_sphere(mesh.points, args.femoral_radius)
@@ -111,11 +135,11 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
     bodies[TIBIA] = sweep(
         mesh, top[:, None] - (1 - share) * down, "bone", "contact", TIBIA)
 
-    drop = args.inner_edge - args.clearance
-    inner = np.sqrt(drop * (2 * args.femoral_radius - drop))
-    ring = sector(inner, args.meniscal_radius, args.angle, size,
+    ring = sector(radii([inner_radius(args), args.meniscal_radius], size,
+                        order), args, size,
                   {"west": "inner", "east": "periphery"})
-    share = np.linspace(0, 1, max(3, round(MENISCAL_LAYERS / args.size)) + 1)
+    layers = order * max(3, round(MENISCAL_LAYERS / args.size))
+    share = np.linspace(0, 1, layers + 1)
     high = on_sphere(ring.points, args.femoral_radius)
     columns = np.repeat(high[:, None], len(share), axis=1)
     columns[:, :, 2] *= share
@@ -154,9 +178,10 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
             ("--meniscal-radius", 15.0, "of the meniscus's periphery"),
             ("--inner-edge", 0.5, "thickness of the meniscus there"),
             ("--clearance", 0.15, "between the layers on the axis"),
-            ("--hole", 0.2, "radius left out of wedges on the axis")):
+            ("--hole", 0.05, "radius left out of wedges on the axis")):
         parser.add_argument(name, type=mesh_script.positive, default=default,
                             help=f"{text} (mm, default {default})")
+    mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
     args = parser.parse_args(argv)
     if args.angle not in (90, 360) and args.angle > 45:

@@ -61,9 +61,10 @@ class Cover:
 
     def __init__(self, layer: Layer, plane: QuadMesh, from_below: bool):
         self._layer = layer
-        self._tree = cKDTree(plane.points)
-        edges = plane.points[plane.quads] \
-            - plane.points[np.roll(plane.quads, 1, axis=1)]
+        corners = plane.quads[:, :4]
+        self._tree = cKDTree(plane.points[np.unique(corners)])
+        edges = plane.points[corners] \
+            - plane.points[np.roll(corners, 1, axis=1)]
         self._size = float(np.linalg.norm(edges, axis=2).max())
         self._sign = 1.0 if from_below else -1.0
 
@@ -178,20 +179,22 @@ class Fitted:
         return ndimage.gaussian_filter1d(found, 2.0 / step, mode="nearest")
 
 
-def plane(fitted: Fitted, edge: float, size: float) -> QuadMesh:
+def plane(fitted: Fitted, edge: float, size: float, order: int = 1
+          ) -> QuadMesh:
     """Quadrangles from the inner edge to the periphery, from horn to horn."""
     outer = fitted.body.place(fitted.body.outer)
     inner = fitted.body.place(fitted.inner(edge))
     long = np.linalg.norm(np.diff(0.5 * (inner + outer), axis=0), axis=1).sum()
     wide = np.median(np.linalg.norm(outer - inner, axis=1))
-    along, across = max(8, round(long / size)), max(3, round(wide / size))
+    along = order * max(8, round(long / size))
+    across = order * max(3, round(wide / size))
     south, north = resample(inner, along), resample(outer, along)
     names = {"south": "inner", "north": "periphery",
              "west": "horn_anterior", "east": "horn_posterior"}
     mesh = join([patch(south, north,
                        np.linspace(south[0], north[0], across + 1),
                        np.linspace(south[-1], north[-1], across + 1))],
-                lambda number, side: names[side])
+                lambda number, side: names[side], order)
     mesh = relax(mesh, 20)
     x = mesh.points[mesh.quads]
     across, up = x[:, 1] - x[:, 0], x[:, 3] - x[:, 0]

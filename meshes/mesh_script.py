@@ -29,6 +29,13 @@ def check_output(parser: argparse.ArgumentParser, output: str) -> None:
         parser.error(f"--output: '{output}' does not end in .msh")
 
 
+def add_geometry_order(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--geometry-order", type=int, choices=(1, 2), default=1,
+                        help="1: straight edges; 2: nodes between the corners, "
+                             "which lie on the surfaces too (default "
+                             "%(default)s)")
+
+
 def run(script: str, output: str, build: Callable[[], dict[str, int]],
         verbose: bool = False, version: float = 4.1,
         binary: bool = False) -> int:

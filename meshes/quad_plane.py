@@ -6,14 +6,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lagrange_element import (
+    QUADRANGLE_NODES, evaluate, order_of, turned_over)
+
 
 @dataclass
 class QuadMesh:
-    """Quadrangles, counter-clockwise, and their outer edges by name."""
+    """Quadrangles, counter-clockwise, and their outer edges by name.
+
+    Those of second order have nine nodes, their edges three: the ends, then
+    the middle.
+    """
 
     points: np.ndarray             # n x 2
-    quads: np.ndarray              # m x 4, from 0
-    edges: dict[str, np.ndarray]   # k x 2, the mesh to their left
+    quads: np.ndarray              # m x 4 or 9, from 0
+    edges: dict[str, np.ndarray]   # k x 2 or 3, the mesh to their left
+
+    @property
+    def order(self) -> int:
+        return order_of(self.quads)
 
     def outer(self) -> np.ndarray:
         """Which points are on the outline."""
@@ -24,8 +35,9 @@ class QuadMesh:
 
     def turned_over(self) -> QuadMesh:
         """The same seen from below."""
-        return QuadMesh(self.points, self.quads[:, ::-1],
-                        {n: e[:, ::-1] for n, e in self.edges.items()})
+        return QuadMesh(self.points, turned_over(self.quads),
+                        {n: np.column_stack([e[:, 1], e[:, 0], e[:, 2:]])
+                         for n, e in self.edges.items()})
 
 
 def resample(curve: np.ndarray, count: int) -> np.ndarray:
@@ -50,36 +62,42 @@ def patch(south: np.ndarray, north: np.ndarray, west: np.ndarray,
             + (1 - s) * west[None] + s * east[None] - corners)
 
 
-def join(patches: list[np.ndarray], name) -> QuadMesh:
+def join(patches: list[np.ndarray], name, order: int = 1) -> QuadMesh:
     """One mesh of patches that share nodes where these coincide.
 
     name(patch, side) is that of an outer edge on side south, east, north or
-    west of a patch.
+    west of a patch. For order 2 patches have all the nodes: an odd number of
+    them along each side.
     """
     points = np.concatenate([p.reshape(-1, 2) for p in patches])
     scale = 1e-7 * np.ptp(points)
     _, first, same = np.unique(np.rint(points / scale), axis=0,
                                return_index=True, return_inverse=True)
-    same = same.ravel()
+    # In the order of the patches, which round-off does not change.
+    order_of_patches = np.argsort(first)
+    first = first[order_of_patches]
+    same = np.argsort(order_of_patches)[same.ravel()]
     quads, sides, start = [], [], 0
     for number, p in enumerate(patches):
         n, m = p.shape[0], p.shape[1]
         node = same[start:start + n * m].reshape(n, m)
         start += n * m
-        quads.append(np.stack([node[:-1, :-1], node[1:, :-1], node[1:, 1:],
-                               node[:-1, 1:]], axis=-1).reshape(-1, 4))
+        quads.append(np.stack(
+            [node[i:n - order + i:order, j:m - order + j:order].ravel()
+             for i, j in QUADRANGLE_NODES[order]], axis=-1))
         for side, line in (("south", node[:, 0]), ("east", node[-1]),
                            ("north", node[::-1, -1]), ("west", node[0, ::-1])):
-            sides.append((number, side,
-                          np.column_stack([line[:-1], line[1:]])))
-    every = np.concatenate([edges for *_, edges in sides])
+            sides.append((number, side, np.column_stack(
+                [line[:-order:order], line[order::order],
+                 *([line[1::2]] if order == 2 else [])])))
+    every = np.concatenate([edges[:, :2] for *_, edges in sides])
     keys, count = np.unique(np.sort(every, axis=1), axis=0, return_counts=True)
     single = {tuple(key) for key in keys[count == 1].tolist()}
     outer: dict[str, list] = {}
     for number, side, edges in sides:
-        for a, b in edges.tolist():
-            if (min(a, b), max(a, b)) in single:
-                outer.setdefault(name(number, side), []).append((a, b))
+        for edge in edges.tolist():
+            if (min(edge[:2]), max(edge[:2])) in single:
+                outer.setdefault(name(number, side), []).append(edge)
     return QuadMesh(points[first], np.concatenate(quads),
                     {n: np.array(e) for n, e in outer.items()})
 
@@ -94,31 +112,49 @@ def _core(line: np.ndarray) -> np.ndarray:
                      0.40 * v + 0.13 * v * np.sqrt(1 - u**2 / 2)], axis=-1)
 
 
-def _ring(line: np.ndarray, rings: int) -> np.ndarray:
-    """Rings from the unit circle in to a line, n x (rings + 1) x 2."""
+def _ring(line: np.ndarray, rings: int, circles: np.ndarray) -> np.ndarray:
+    """From the last circle in to the unit circle, and by rings to a line.
+
+    n x (circles + rings + 1) x 2.
+    """
     angle = np.arctan2(line[:, 1], line[:, 0])
-    rim = np.column_stack([np.cos(angle), np.sin(angle)])
+    rim = np.column_stack([np.cos(angle), np.sin(angle)])[:, None]
     share = np.linspace(1, 0, rings + 1)[None, :, None]
-    return (1 - share) * line[:, None] + share * rim[:, None]
+    return np.concatenate([np.asarray(circles)[::-1, None] * rim,
+                           (1 - share) * line[:, None] + share * rim], axis=1)
 
 
-def disc(core: int, rings: int) -> QuadMesh:
-    """The unit disc: core x core quadrangles, and rings around them."""
-    square = _core(np.linspace(-1, 1, core + 1))
+def radii_of_disc(core: int, rings: int, order: int = 1) -> np.ndarray:
+    """Of the nodes of a quarter_disc that are on an axis."""
+    middle = _core(np.array([0.0, 1.0]))[1, 0, 0]
+    return np.concatenate([
+        np.linspace(0, middle, order * core + 1),
+        np.linspace(middle, 1, order * rings + 1)[1:]])
+
+
+def disc(core: int, rings: int, order: int = 1, circles: np.ndarray = ()
+         ) -> QuadMesh:
+    """The unit disc: core x core quadrangles, and rings around them.
+
+    Nodes go on on circles beyond it, if their radii are given.
+    """
+    square = _core(np.linspace(-1, 1, order * core + 1))
     sides = (square[:, 0], square[-1], square[::-1, -1], square[0, ::-1])
-    return join([square, *(_ring(side, rings) for side in sides)],
-                lambda patch, side: "rim")
+    return join([square, *(_ring(side, order * rings, circles)
+                           for side in sides)],
+                lambda patch, side: "rim", order)
 
 
-def quarter_disc(core: int, rings: int) -> QuadMesh:
+def quarter_disc(core: int, rings: int, order: int = 1,
+                 circles: np.ndarray = ()) -> QuadMesh:
     """The quarter x, y >= 0 of it; edges symmetry_x (x = 0), symmetry_y, rim.
     """
-    square = _core(np.linspace(0, 1, core + 1))
+    square = _core(np.linspace(0, 1, order * core + 1))
     names = {(0, "south"): "symmetry_y", (0, "west"): "symmetry_x",
              (1, "west"): "symmetry_y", (2, "east"): "symmetry_x"}
-    return join([square, _ring(square[-1], rings),
-                 _ring(square[::-1, -1], rings)],
-                lambda patch, side: names.get((patch, side), "rim"))
+    return join([square, _ring(square[-1], order * rings, circles),
+                 _ring(square[::-1, -1], order * rings, circles)],
+                lambda patch, side: names.get((patch, side), "rim"), order)
 
 
 def _worst_corner(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
@@ -137,27 +173,35 @@ def relax(mesh: QuadMesh, rounds: int = 60) -> QuadMesh:
     """Moves inner points towards the middle of their neighbours.
 
     A point stays where moving would make a sharp angle sharper; beside a notch
-    it would leave the mesh otherwise.
+    it would leave the mesh otherwise. The middles of edges and quadrangles move
+    with their corners.
     """
     n = len(mesh.points)
-    edges = np.concatenate([mesh.quads[:, [k, (k + 1) % 4]] for k in range(4)])
+    quads = mesh.quads[:, :4]
+    edges = np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)])
     edges = np.unique(np.sort(edges, axis=1), axis=0)
     a = np.concatenate([edges[:, 0], edges[:, 1]])
     b = np.concatenate([edges[:, 1], edges[:, 0]])
-    degree = np.bincount(a, minlength=n)[:, None]
+    degree = np.maximum(np.bincount(a, minlength=n), 1)[:, None]
     free = ~mesh.outer()
     points = mesh.points.copy()
-    quality = _worst_corner(points, mesh.quads)
+    quality = _worst_corner(points, quads)
     for _ in range(rounds):
         mean = np.column_stack([np.bincount(a, points[b, k], minlength=n)
                                 for k in (0, 1)]) / degree
         trial = np.where(free[:, None], mean, points)
         # What spoils a corner goes back, with the neighbours that it met.
         for _ in range(5):
-            new = _worst_corner(trial, mesh.quads)
+            new = _worst_corner(trial, quads)
             worse = (new < 0.8) & (new < quality - 1e-3)
             if not worse.any():
                 break
             trial[worse] = points[worse]
-        points, quality = trial, _worst_corner(trial, mesh.quads)
+        points, quality = trial, _worst_corner(trial, quads)
+    if mesh.order == 2:
+        move = (points - mesh.points)[quads]
+        at = QUADRANGLE_NODES[2] / 2
+        for k in range(4, 9):
+            points[mesh.quads[:, k]] = mesh.points[mesh.quads[:, k]] \
+                + evaluate(move, np.tile(at[k], (len(move), 1)))[0]
     return QuadMesh(points, mesh.quads, mesh.edges)

@@ -1,25 +1,24 @@
-"""How far surfaces of quadrangles are apart, along z and in all directions."""
+"""How far surfaces of quadrangles are apart, along z and in all directions.
+
+Quadrangles are m x 4 x 3 or, of second order, m x 9 x 3, see lagrange_element.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-# Where on a quadrangle gaps are measured, in its coordinates.
-_GRID = np.linspace(0.0, 1.0, 4)
+from lagrange_element import evaluate, order_of
 
-
-def bilinear(quads: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Points of quadrangles (m x 4 x 3) at s, t (m, or broadcast to it)."""
-    s, t = s[..., None], t[..., None]
-    return ((1 - s) * (1 - t) * quads[:, 0] + s * (1 - t) * quads[:, 1]
-            + s * t * quads[:, 2] + (1 - s) * t * quads[:, 3])
+# Where on a quadrangle gaps are measured, in its coordinates, by its order.
+_GRID = {1: np.linspace(0.0, 1.0, 4), 2: np.linspace(0.0, 1.0, 5)}
 
 
 def points_on(quads: np.ndarray) -> np.ndarray:
-    """Sixteen points of each quadrangle, its corners among them."""
-    found = [bilinear(quads, np.full(len(quads), s), np.full(len(quads), t))
-             for s in _GRID for t in _GRID]
+    """Some points of each quadrangle, its nodes among them."""
+    grid = _GRID[order_of(quads)]
+    found = [evaluate(quads, np.tile([s, t], (len(quads), 1)))[0]
+             for s in grid for t in grid]
     return np.concatenate(found)
 
 
@@ -50,32 +49,28 @@ class Heights:
             if not len(open_):
                 continue
             quads = self.quads[column[open_]]
-            s, t, inside = _invert(quads, points[open_])
-            z = bilinear(quads, s, t)[:, 2]
-            found[open_[inside]] = z[inside]
+            at, inside = _invert(quads, points[open_])
+            found[open_[inside]] = evaluate(quads, at)[0][inside, 2]
         return found
 
 
 def _invert(quads: np.ndarray, xy: np.ndarray
-            ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Coordinates s, t of points in quadrangles, by Newton's method."""
-    s = np.full(len(quads), 0.5)
-    t = s.copy()
+            ) -> tuple[np.ndarray, np.ndarray]:
+    """Coordinates of points in quadrangles, by Newton's method."""
+    quads = quads[:, :, :2]
+    at = np.full((len(quads), 2), 0.5)
     for _ in range(8):
-        p = bilinear(quads, s, t)[:, :2] - xy
-        ds = ((1 - t)[:, None] * (quads[:, 1] - quads[:, 0])
-              + t[:, None] * (quads[:, 2] - quads[:, 3]))[:, :2]
-        dt = ((1 - s)[:, None] * (quads[:, 3] - quads[:, 0])
-              + s[:, None] * (quads[:, 2] - quads[:, 1]))[:, :2]
-        det = ds[:, 0] * dt[:, 1] - ds[:, 1] * dt[:, 0]
+        place, slopes = evaluate(quads, at)
+        (a, b), (c, d) = slopes[:, 0].T, slopes[:, 1].T
+        det = a * d - b * c
         det = np.where(np.abs(det) < 1e-12, 1e-12, det)
-        s = s - np.clip((p[:, 0] * dt[:, 1] - p[:, 1] * dt[:, 0]) / det, -2, 2)
-        t = t - np.clip((ds[:, 0] * p[:, 1] - ds[:, 1] * p[:, 0]) / det, -2, 2)
+        x, y = (place - xy).T
+        at = at - np.clip(np.column_stack([d * x - b * y, a * y - c * x])
+                          / det[:, None], -2, 2)
     tiny = 1e-6
-    inside = ((s > -tiny) & (s < 1 + tiny) & (t > -tiny) & (t < 1 + tiny)
-              & (np.linalg.norm(bilinear(quads, s, t)[:, :2] - xy, axis=1)
-                 < 1e-6))
-    return s, t, inside
+    inside = ((at > -tiny) & (at < 1 + tiny)).all(axis=1) \
+        & (np.linalg.norm(evaluate(quads, at)[0] - xy, axis=1) < 1e-6)
+    return at, inside
 
 
 def vertical_gaps(lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
@@ -91,7 +86,10 @@ def vertical_gaps(lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
 
 
 def normal_turns(quads: np.ndarray) -> np.ndarray:
-    """Angles (degrees) between the normals of faces that share an edge."""
+    """Angles (degrees) between the normals of faces that share an edge, from
+    their corners.
+    """
+    quads = quads[:, :4]
     normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     flat = np.rint(quads.reshape(-1, 3) * 1e7).astype(np.int64)
@@ -109,7 +107,7 @@ def normal_turns(quads: np.ndarray) -> np.ndarray:
 
 def points_inside(points: np.ndarray, hexahedra: np.ndarray,
                   neighbours: int = 12) -> np.ndarray:
-    """Which points are inside of straight-edged hexahedra (m x 8 x 3)."""
+    """Which points are inside of hexahedra, m x 8 or 27 x 3."""
     centres = hexahedra.mean(axis=1)
     reach = np.linalg.norm(hexahedra - centres[:, None], axis=2).max()
     low, high = centres.min(axis=0) - reach, centres.max(axis=0) + reach
@@ -129,23 +127,13 @@ def points_inside(points: np.ndarray, hexahedra: np.ndarray,
     return found
 
 
-# Corners of the reference hexahedron.
-_UNIT = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
-                  (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], dtype=float)
-
-
-def _in_hexahedron(corners: np.ndarray, points: np.ndarray) -> np.ndarray:
-    xi = np.full((len(points), 3), 0.5)
+def _in_hexahedron(nodes: np.ndarray, points: np.ndarray) -> np.ndarray:
+    at = np.full((len(points), 3), 0.5)
     for _ in range(10):
-        side = np.where(_UNIT[None] > 0, xi[:, None], 1 - xi[:, None])
-        slope = np.where(_UNIT > 0, 1.0, -1.0)
-        shape = side.prod(axis=2)
-        gradient = np.stack([slope[:, d] * np.delete(side, d, axis=2)
-                             .prod(axis=2) for d in range(3)], axis=2)
-        rest = points - np.einsum("nk,nkx->nx", shape, corners)
-        jacobian = np.einsum("nkd,nkx->nxd", gradient, corners)
-        step = np.linalg.solve(jacobian + 1e-12 * np.eye(3), rest[..., None])
-        xi = xi + np.clip(step[..., 0], -1, 1)
+        place, slopes = evaluate(nodes, at)
+        rest = points - place
+        step = np.linalg.solve(slopes + 1e-12 * np.eye(3), rest[..., None])
+        at = at + np.clip(step[..., 0], -1, 1)
     tiny = 1e-6
     return (np.linalg.norm(rest, axis=1) < 1e-6) & \
-        ((xi > -tiny) & (xi < 1 + tiny)).all(axis=1)
+        ((at > -tiny) & (at < 1 + tiny)).all(axis=1)

@@ -33,8 +33,12 @@ WIDTH = 1500    # pixels of each view
 MARGIN = 15     # around it
 
 
+# Nodes of gmsh's hexahedra, by their type; the corners come first.
+HEXAHEDRA = {5: 8, 12: 27}
+
+
 def read(file: str) -> dict[str, pv.UnstructuredGrid]:
-    """Hexahedra by the name of their region."""
+    """Hexahedra, with straight edges, by the name of their region."""
     gmsh.initialize([""])
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -45,9 +49,10 @@ def read(file: str) -> dict[str, pv.UnstructuredGrid]:
         bodies = {}
         for dim, group in gmsh.model.getPhysicalGroups(3):
             cells = np.concatenate([
-                gmsh.model.mesh.getElementsByType(5, entity)[1] for entity in
-                gmsh.model.getEntitiesForPhysicalGroup(dim, group)])
-            cells = cells.reshape(-1, 8).astype(int)
+                np.reshape(gmsh.model.mesh.getElementsByType(kind, entity)[1],
+                           (-1, nodes))[:, :8]
+                for entity in gmsh.model.getEntitiesForPhysicalGroup(dim, group)
+                for kind, nodes in HEXAHEDRA.items()]).astype(int)
             bodies[gmsh.model.getPhysicalName(dim, group)] = \
                 pv.UnstructuredGrid({pv.CellType.HEXAHEDRON: cells}, points)
     finally:

@@ -104,6 +104,26 @@ Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    return draining;
 }
 
+// The path of the material that a region has.
+std::string PathOfMaterial(const CaseFile &setup, const NamedMesh &mesh,
+                           const std::string &region)
+{
+   for (size_t i = 0; i < setup.materials.size(); i++)
+   {
+      for (const std::string &name : setup.materials[i].regions)
+      {
+         for (const int attribute : mesh.Region(name))
+         {
+            if (NameOf(mesh.Regions(), attribute) == region)
+            {
+               return "material." + std::to_string(i);
+            }
+         }
+      }
+   }
+   return "material";
+}
+
 std::string Quantity(real_t value)
 {
    std::ostringstream text;
@@ -142,7 +162,7 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
 {
    MPI_Comm_size(problem.Get().Mesh().GetComm(), &ranks);
    MeasureRegions(setup, problem);
-   VerifyStiffness();
+   VerifyStiffness(setup, problem.Get().Mesh());
    MeasureSurfaces(problem.Get().Mesh());
    pairs = CheckContact(setup, problem);
    Count(problem);
@@ -226,19 +246,24 @@ void ProblemReport::MeasureRegions(const CaseFile &setup, CaseProblem &problem)
    }
 }
 
-void ProblemReport::VerifyStiffness() const
+void ProblemReport::VerifyStiffness(const CaseFile &setup,
+                                    const NamedMesh &mesh) const
 {
+   CaseReading reading(setup.places);
    for (const Region &region : regions)
    {
       if (!(region.least_eigenvalue > 0.0) ||
           !std::isfinite(region.largest_eigenvalue))
       {
-         throw Error("the stiffness of \"" + region.name +
-                     "\" is not positive definite: its eigenvalues go from " +
-                     Quantity(region.least_eigenvalue) + " to " +
-                     Quantity(region.largest_eigenvalue));
+         reading.Complain(
+            PathOfMaterial(setup, mesh, region.name) + ".solid",
+            "the stiffness of \"" + region.name +
+               "\" is not positive definite: its eigenvalues go from " +
+               Quantity(region.least_eigenvalue) + " to " +
+               Quantity(region.largest_eigenvalue));
       }
    }
+   reading.ThrowIfAny();
 }
 
 void ProblemReport::MeasureSurfaces(const NamedMesh &named)

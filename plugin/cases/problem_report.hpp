@@ -61,7 +61,7 @@ private:
    void Count(CaseProblem &problem);
    void WarnOfTimes(const CaseFile &setup);
    void WarnOfBodies(const CaseFile &setup, CaseProblem &problem);
-   void VerifyStiffness() const;
+   void VerifyStiffness(const CaseFile &setup, const NamedMesh &mesh) const;
 
    std::string title;
    int ranks = 1;

@@ -1,6 +1,7 @@
 #include "io/step_diagnostics.hpp"
 #include "general/reduce.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -17,6 +18,34 @@ void AddPoint(History::Row &row, const std::string &name, const Point3 &value)
    for (int d = 0; d < 3; d++)
    {
       row.emplace_back(name + axes[d], value[d]);
+   }
+}
+
+// Springs of one name, in several directions, count together.
+void AddSprings(History::Row &row, BiphasicProblem &problem,
+                const Vector &displacement)
+{
+   std::vector<std::pair<std::string, Point3>> forces;
+   for (size_t i = 0; i < problem.SpringNames().size(); i++)
+   {
+      const std::string &name = problem.SpringNames()[i];
+      const Point3 force =
+         problem.Conditions().Springs()[i].Force(displacement);
+      const auto same =
+         std::find_if(forces.begin(), forces.end(),
+                      [&](const auto &entry) { return entry.first == name; });
+      if (same == forces.end())
+      {
+         forces.emplace_back(name, force);
+      }
+      else
+      {
+         same->second = Sum(same->second, 1.0, force);
+      }
+   }
+   for (const auto &[name, force] : forces)
+   {
+      AddPoint(row, "spring." + name + ".", force);
    }
 }
 
@@ -52,11 +81,7 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    }
    BiphasicOperator &op = problem.Operator();
    const Vector &displacement = stepper.State().GetBlock(0);
-   for (size_t i = 0; i < problem.SpringNames().size(); i++)
-   {
-      AddPoint(row, "spring." + problem.SpringNames()[i] + ".",
-               problem.Conditions().Springs()[i].Force(displacement));
-   }
+   AddSprings(row, problem, displacement);
    for (const RigidSurfaces::Travel &travel :
         op.Rigid().GetTravel(displacement))
    {

@@ -10,7 +10,7 @@ namespace synovia
 ///
 ///     t, dt
 ///     reaction.<boundary>.x|y|z        force of the support on the body
-///     spring.<boundary>.x|y|z          force of the springs on the body
+///     spring.<boundary>.x|y|z          force of all its springs on the body
 ///     contact.<pair>.force_x|y|z       on the destination
 ///     contact.<pair>.source_force_x|y|z, .force_error (both sides' sum)
 ///     contact.<pair>.area, .penetration, .pressure_jump, .peak_traction,

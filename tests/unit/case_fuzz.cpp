@@ -10,11 +10,14 @@
 #include "cases/line_output.hpp"
 #include "cases/problem_report.hpp"
 #include "general/error.hpp"
+#include "mesh/stack_bodies.hpp"
 #include "support/boxes.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -73,6 +76,134 @@ NamedMesh TwoBoxes(const std::string &lower_name, const std::string &upper_name,
    Mesh mesh = MakeStackMesh(lower, upper);
    return DistributeMesh(mesh, {{lower_name, {1}}, {upper_name, {2}}},
                          boundaries, MPI_COMM_WORLD);
+}
+
+/// Any number of bodies, each a box or one that is bent.
+class Bodies
+{
+public:
+   /// @a sides are the names of z0, y0, x1, y1, x0 and z1.
+   void Add(const std::string &region, Mesh mesh,
+            const std::array<std::string, 6> &sides)
+   {
+      meshes.push_back(std::move(mesh));
+      names.push_back({region, sides});
+   }
+
+   NamedMesh Distribute() const
+   {
+      std::vector<const Mesh *> borrowed;
+      for (const Mesh &mesh : meshes)
+      {
+         borrowed.push_back(&mesh);
+      }
+      StackedBodies all = StackBodies(borrowed);
+      NameTable regions;
+      NameTable boundaries;
+      for (size_t i = 0; i < names.size(); i++)
+      {
+         regions[names[i].region] = {1 + all.region_offsets[i]};
+         for (int side = 0; side < 6; side++)
+         {
+            boundaries[names[i].sides[side]].push_back(1 + side +
+                                                       all.boundary_offsets[i]);
+         }
+      }
+      return DistributeMesh(all.mesh, regions, boundaries, MPI_COMM_WORLD);
+   }
+
+private:
+   struct Names
+   {
+      std::string region;
+      std::array<std::string, 6> sides;
+   };
+   std::vector<Mesh> meshes;
+   std::vector<Names> names;
+};
+
+/// A box with its middle above (x, y).
+Mesh Plate(real_t x, real_t y, real_t bottom, real_t size, real_t height)
+{
+   BoxOptions box;
+   box.nx = 2;
+   box.nz = 2;
+   box.size_x = size;
+   box.size_y = size;
+   box.size_z = height;
+   Mesh mesh = MakeBoxMesh(box);
+   for (int i = 0; i < mesh.GetNV(); i++)
+   {
+      real_t *const vertex = mesh.GetVertex(i);
+      vertex[0] += x - 0.5 * size;
+      vertex[1] += y - 0.5 * size;
+      vertex[2] += bottom;
+   }
+   return mesh;
+}
+
+/// A box bent around (x, 0), radii 5 to 15, from one angle to another: x0 is
+/// the inner side, y0 the end at the first angle.
+Mesh Arc(real_t x, real_t from, real_t to)
+{
+   BoxOptions box;
+   box.ny = 4;
+   box.nz = 1;
+   Mesh mesh = MakeBoxMesh(box);
+   for (int i = 0; i < mesh.GetNV(); i++)
+   {
+      real_t *const vertex = mesh.GetVertex(i);
+      const real_t radius = 5.0 + 10.0 * vertex[0];
+      const real_t angle = from + (to - from) * vertex[1];
+      vertex[0] = x + radius * std::cos(angle);
+      vertex[1] = radius * std::sin(angle);
+      vertex[2] *= 2.0;
+   }
+   return mesh;
+}
+
+NamedMesh RingOfMeniscus()
+{
+   Bodies bodies;
+   bodies.Add("tibial_cartilage", Plate(8.0, 8.0, -2.0, 16.0, 2.0),
+              {"tibial_cartilage_bone", "symmetry_y", "tibial_cartilage_rim",
+               "tibial_cartilage_rim", "symmetry_x",
+               "tibial_cartilage_contact"});
+   bodies.Add("meniscus", Arc(0.0, 0.0, M_PI / 2),
+              {"meniscus_inferior", "symmetry_y", "meniscus_periphery",
+               "symmetry_x", "meniscus_inner", "meniscus_superior"});
+   bodies.Add("femoral_cartilage", Plate(8.0, 8.0, 2.0, 16.0, 2.0),
+              {"femoral_cartilage_contact", "symmetry_y",
+               "femoral_cartilage_rim", "femoral_cartilage_rim", "symmetry_x",
+               "femoral_cartilage_bone"});
+   return bodies.Distribute();
+}
+
+NamedMesh Knee()
+{
+   const auto cartilage = [](const std::string &name, bool below)
+   {
+      const std::string rim = name + "_rim";
+      const std::string contact = name + "_contact";
+      const std::string bone = name + "_bone";
+      return std::array<std::string, 6>{
+         below ? bone : contact, rim, rim, rim, rim, below ? contact : bone};
+   };
+   Bodies bodies;
+   bodies.Add("femoral_cartilage", Plate(0.0, 0.0, 2.0, 90.0, 2.0),
+              cartilage("femoral_cartilage", false));
+   for (const std::string side : {"medial", "lateral"})
+   {
+      const real_t x = side == "medial" ? -22.0 : 22.0;
+      const std::string tibia = "tibial_cartilage_" + side;
+      const std::string meniscus = "meniscus_" + side;
+      bodies.Add(tibia, Plate(x, 0.0, -2.0, 40.0, 2.0), cartilage(tibia, true));
+      bodies.Add(meniscus, Arc(x, M_PI / 2, 3 * M_PI / 2),
+                 {meniscus + "_inferior", meniscus + "_horn_anterior",
+                  meniscus + "_periphery", meniscus + "_horn_posterior",
+                  meniscus + "_inner", meniscus + "_superior"});
+   }
+   return bodies.Distribute();
 }
 
 // The attributes of a box's sides: z0 1, y0 2, x1 3, y1 4, x0 5, z1 6; those
@@ -136,6 +267,8 @@ std::vector<Shipped> ShippedCases()
                                  {"humeral_bone", {12}},
                                  {"humeral_rim", {9, 10}}},
                                 10.0, 10.0, 1.5));
+   add("meniscus_ring", RingOfMeniscus());
+   add("knee", Knee());
    return cases;
 }
 

@@ -133,7 +133,7 @@ class Knees(unittest.TestCase):
         image = write_nrrd("knee.nrrd", cls.labels, cls.affine)
         cls.knees = {
             "parametric": generate(knee_parametric.main, "parametric.msh",
-                                   "--size", "2.2"),
+                                   "--size", "2.2", "--geometry-order", "2"),
             "image": generate(knee_from_segmentation.main, "image.msh", image,
                               "--size", "2")}
 
@@ -193,9 +193,9 @@ class Knees(unittest.TestCase):
                     cells = mesh.x[np.unique(mesh.regions[region])]
                     radius = np.hypot(*(cells - frame["origin"])[:, :2].T)
                     self.assertGreater(radius.min(), 3.0)
-                horns = [mesh.x[mesh.surfaces[f"meniscus_medial_horn_{end}"]]
-                         .mean(axis=(0, 1)) for end in ("anterior",
-                                                        "posterior")]
+                horns = [mesh.x[mesh.surfaces[f"meniscus_medial_horn_{end}"]
+                                [:, :4]].mean(axis=(0, 1))
+                         for end in ("anterior", "posterior")]
                 self.assertGreater(horns[0][1], horns[1][1] + 20)
                 np.testing.assert_allclose(
                     frames["meniscus_medial"]["frame"]["origin"],
@@ -341,14 +341,14 @@ class MeniscusRing(unittest.TestCase):
                 ("5", "0.6", {"symmetry_y", "symmetry_turned", "axis"})):
             with self.subTest(angle):
                 mesh, _ = generate(meniscus_ring.main, f"ring{angle}.msh",
-                                   "--angle", angle, "--size", size)
+                                   "--angle", angle, "--size", size,
+                                   "--geometry-order", "2")
                 self.assertEqual(set(mesh.surfaces), self.COMMON | more)
                 check_hexahedra(self, mesh, 0.2)
                 share = float(angle) / 360
-                # A disc of 2.5 x 18^2 pi, whose outline is a polygon.
                 disc = 2.5 * np.pi * 18**2 * share
                 self.assertAlmostEqual(mesh.volume("tibial_cartilage") / disc,
-                                       1, delta=0.02)
+                                       1, delta=1e-4)
                 for plane, normal in (("symmetry_x", [1, 0, 0]),
                                       ("symmetry_y", [0, 1, 0]),
                                       ("symmetry_turned",
@@ -369,8 +369,38 @@ class MeniscusRing(unittest.TestCase):
                                                     quads[upper]).min()
                     self.assertAlmostEqual(gap, least, delta=0.002)
 
+    def test_all_nodes_are_on_the_surfaces(self):
+        mesh, _ = generate(meniscus_ring.main, "curved.msh", "--angle", "90",
+                           "--size", "2", "--geometry-order", "2")
+
+        def radius(surface: str, *middle: float) -> np.ndarray:
+            return np.linalg.norm(mesh.x[np.unique(mesh.surfaces[surface])]
+                                  - middle, axis=1)
+
+        for side, expected in (("contact", 25.0), ("bone", 23.0)):
+            np.testing.assert_allclose(
+                radius(f"femoral_cartilage_{side}", 0, 0, 25.15), expected,
+                rtol=1e-12)
+        rim = mesh.x[np.unique(mesh.surfaces["meniscus_periphery"])]
+        np.testing.assert_allclose(np.hypot(*rim[:, :2].T), 15.0, rtol=1e-12)
+
+    def test_straight_edges(self):
+        curved, straight = (
+            generate(meniscus_ring.main, f"order{order}.msh", "--angle", "90",
+                     "--size", "2", "--geometry-order", order)[0]
+            for order in "21")
+        self.assertEqual(curved.count(), straight.count())
+        self.assertEqual(straight.regions["meniscus"].shape[1], 8)
+        check_hexahedra(self, straight, 0.2)
+        # The outline is a polygon then.
+        lost = 1 - straight.volume("tibial_cartilage") \
+            / curved.volume("tibial_cartilage")
+        self.assertGreater(lost, 1e-3)
+        self.assertLess(lost, 2e-2)
+
     def test_wrong_options(self):
         for options, word in ((["--angle", "60"], "--angle"),
+                              (["--geometry-order", "3"], "--geometry-order"),
                               (["--inner-edge", "0.1"], "--inner-edge"),
                               (["--width", "25"], "--width"),
                               (["--meniscal-radius", "20"], "--meniscal"),

@@ -28,6 +28,7 @@ struct Motion
    real_t top = 0.0;
    Point3 springs{{0.0, 0.0, 0.0}};
    real_t from_history = 0.0;
+   int columns = 0;
 };
 
 // The mean over a boundary is that of all its nodes, for the motion is uniform
@@ -53,7 +54,7 @@ real_t UniformMotion(BiphasicProblem &problem, const Vector &u,
    return range[0];
 }
 
-Motion Solve(const Vector &direction)
+Motion Solve(const Vector &direction, int parts = 1)
 {
    BoxOptions box;
    box.nx = 2;
@@ -69,7 +70,10 @@ Motion Solve(const Vector &direction)
    problem.SetMaterial("body", solid, permeability);
    problem.PrescribeDisplacement("x0", 0, 0.0);
    problem.PrescribeDisplacement("y0", 1, 0.0);
-   problem.AddSprings({"z0"}, stiffness, direction);
+   for (int i = 0; i < parts; i++)
+   {
+      problem.AddSprings({"z0"}, stiffness / parts, direction);
+   }
    problem.AddNormalTraction("z1", -load);
    problem.PrescribePressure("z1", 0.0);
    TimeOptions times;
@@ -86,6 +90,7 @@ Motion Solve(const Vector &direction)
    {
       if (name == "spring.z0.z")
       {
+         motion.columns++;
          motion.from_history = value;
       }
    }
@@ -115,6 +120,15 @@ TEST_CASE("A block on springs")
    CHECK(motion.springs[1] == Approx(0.0).margin(1e-9));
    CHECK(motion.springs[2] == Approx(force));
    CHECK(motion.from_history == Approx(force));
+}
+
+TEST_CASE("Several springs at one surface act together")
+{
+   const real_t force = load * area;
+   const Motion motion = Solve(Along(0.0, 0.0, 1.0), 2);
+   CHECK(motion.foot == Approx(-force / stiffness));
+   CHECK(motion.from_history == Approx(force));
+   CHECK(motion.columns == 1);
 }
 
 TEST_CASE("Springs without stiffness or direction are errors")

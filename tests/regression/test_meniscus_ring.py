@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""An axisymmetric joint in three dimensions against a thin wedge of it.
+
+Requirements: a quarter of a ring of meniscus between a spherical and a flat
+layer, meshed with a core of quadrangles around the axis, bears what a wedge of
+five degrees bears, one element wide, and has the same pressures: within 2 %.
+"""
+
+from __future__ import annotations
+
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
+
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+
+CASE = SOURCE / "miniapps" / "cases" / "meniscus_ring.toml"
+PAIRS = ("femur-tibia", "tibia-meniscus", "meniscus-femur")
+ANGLE = 5   # of the wedge, degrees
+WITHIN = 0.02
+
+
+def wedge_settings() -> list[str]:
+    """Stiff springs hold the wedge at its inclined plane of symmetry."""
+    with open(CASE) as file:
+        surfaces = [line for line in file if line.startswith("surfaces = ")]
+    number = surfaces.index('surfaces = ["symmetry_x"]\n')
+    turn = math.radians(ANGLE)
+    return [f"boundary.{number}.{setting}" for setting in (
+        'surfaces=["symmetry_turned"]',
+        'displacement=["free", "free", "free"]',
+        "spring={stiffness = 1e6, direction = "
+        f"[{-math.sin(turn)!r}, {math.cos(turn)!r}, 0]}}")]
+
+
+def run(directory: pathlib.Path, angle: int, ranks: int,
+        *settings: str) -> dict[str, float]:
+    """The last row of the history; forces are those of the whole turn."""
+    mesh = directory / f"{angle}.msh"
+    subprocess.run([sys.executable, SOURCE / "meshes" / "meniscus_ring.py",
+                    "--angle", str(angle), "--geometry-order", "2",
+                    "-o", mesh], check=True,
+                   stdout=subprocess.DEVNULL)
+    command = [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia", CASE,
+               "--output", directory / str(angle)]
+    for setting in (f'mesh.file="{mesh}"', "time.step=10", "time.end=50",
+                    *settings):
+        command += ["--set", setting]
+    result = subprocess.run(command, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True)
+    if result.returncode != 0:
+        print(result.stdout)
+    check(result.returncode == 0, f"{angle} degrees: exit status "
+          f"{result.returncode}")
+    row = history(directory / str(angle))[-1]
+    return {name: value * (360 / angle if "force_" in name
+                           or name.startswith("reaction.") else 1)
+            for name, value in row.items()}
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        wedge = run(directory, ANGLE, 1, *wedge_settings())
+        quarter = run(directory, 90, 2)
+    for column in ("reaction.femoral_cartilage_bone.z", "fluid.peak_pressure",
+                   *(f"contact.{pair}.{what}" for pair in PAIRS
+                     for what in ("force_z", "peak_pressure",
+                                  "peak_traction"))):
+        check(abs(wedge[column]) > 0.1, f"{column} of the wedge is "
+              f"{wedge[column]:.4g}")
+        error = quarter[column] / wedge[column] - 1
+        check(abs(error) <= WITHIN,
+              f"{column} of the quarter differs by {100 * error:.2f} %")
+    finish()
+
+
+if __name__ == "__main__":
+    main()
