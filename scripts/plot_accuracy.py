@@ -42,6 +42,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts/lib"))
 
 import numpy as np  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 import figure_style as style  # noqa: E402
 from figure_style import plt  # noqa: E402
@@ -136,10 +137,16 @@ def draw(costs: list[Cost], file: pathlib.Path) -> None:
                             label=f"order {order}"
                             + (", stabilised" if order == 1 else ""))
         axes.set_xlabel(label)
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.xaxis.set_major_formatter("{x:,g}")
+        axes.xaxis.set_minor_formatter(NullFormatter())
         axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
     panels[0].set_ylabel("error of the force (%)")
+    panels[0].yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     panels[0].yaxis.set_major_formatter("{x:g}")
-    panels[0].legend()
+    panels[0].yaxis.set_minor_formatter(NullFormatter())
+    panels[0].set_ylim(top=1.6 * 100 * max(cost.error for cost in costs))
+    panels[1].legend()
     figure.savefig(file)
     plt.close(figure)
 
