@@ -19,13 +19,15 @@ of 34.5, it is 1.5 thick on the axis and has a rim of radius 11.5, where it is
 2.2 thick. Humeral head: both sides are parts of spheres of radius 23.5 with
 their centres 1.5 apart along the axis, rim radius 19.1, so that it thins to 0.9.
 
-All elements are tetrahedra of second order with their nodes on the spheres: the
-facets of straight ones would overlap by h^2/(8 R), more than the first gaps.
+All elements are of second order with their nodes on the spheres: the facets of
+straight ones would overlap by h^2/(8 R), more than the first gaps. They are
+tetrahedra, or hexahedra with --hex.
 
 Sample runs:
   python3 meshes/glenohumeral.py -o glenohumeral.msh             # 18,600 tets
   python3 meshes/glenohumeral.py -o coarse.msh --size 1.6
   python3 meshes/glenohumeral.py -o full.msh --full --size 2
+  python3 meshes/glenohumeral.py -o swept.msh --hex              # 2,784 hexes
 """
 
 from __future__ import annotations
@@ -39,9 +41,11 @@ except ImportError:
     sys.exit("glenohumeral.py: error: the gmsh module is missing: install "
              "python3-gmsh (Debian) or 'pip install gmsh'")
 
+import curved_hexahedra
 import curved_layer
 import gmsh_bodies
 import mesh_script
+from curved_layer import Surface
 from gmsh_bodies import Body
 
 REGIONS = {"glenoid": 1, "humeral": 2}
@@ -57,15 +61,31 @@ GLENOID_LAYERS = 5
 HUMERAL_LAYERS = 4
 # Beyond the glenoid's rim the humeral elements grow with the distance.
 GROWTH = 0.12
+# Hexahedra: edges of the core of a quarter, rings around it, and layers.
+GLENOID_HEX = (12, 9, 4)
+HUMERAL_HEX = (12, 8, 4)
 
 
-def names(body: str, lower: str, upper: str) -> dict[str, str]:
+def names(body: str) -> dict[str, str]:
+    lower, upper = (("bone", "contact") if body == "glenoid" else
+                    ("contact", "bone"))
     return {"lower": f"{body}_{lower}", "upper": f"{body}_{upper}",
             "rim": f"{body}_rim", "symmetry_x": "symmetry_x",
             "symmetry_y": "symmetry_y"}
 
 
-def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
+def sides(body: str, args: argparse.Namespace) -> tuple[Surface, Surface]:
+    """The lower and the upper surface."""
+    sphere = curved_layer.sphere
+    if body == "glenoid":
+        return (sphere(args.glenoid_bone_radius, 0.0),
+                sphere(args.glenoid_radius, args.glenoid_thickness))
+    top = args.glenoid_thickness + args.gap
+    return (sphere(args.humeral_radius, top),
+            sphere(args.humeral_radius, top + args.humeral_thickness))
+
+
+def tetrahedral_bodies(args: argparse.Namespace) -> dict[str, Body]:
     def layers(count: int) -> int:
         return max(1, round(count / args.size))
 
@@ -73,20 +93,24 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
         beyond = max(0.0, r - args.glenoid_width)
         return HUMERAL * args.size + GROWTH * beyond
 
-    sphere = curved_layer.sphere
-    top = args.glenoid_thickness + args.gap
-    return {
-        "glenoid": curved_layer.sweep(
-            curved_layer.disc(args.glenoid_width, args.full,
-                              lambda r: GLENOID * args.size),
-            sphere(args.glenoid_bone_radius, 0.0),
-            sphere(args.glenoid_radius, args.glenoid_thickness),
-            layers(GLENOID_LAYERS), names("glenoid", "bone", "contact")),
-        "humeral": curved_layer.sweep(
-            curved_layer.disc(args.humeral_width, args.full, humeral_size),
-            sphere(args.humeral_radius, top),
-            sphere(args.humeral_radius, top + args.humeral_thickness),
-            layers(HUMERAL_LAYERS), names("humeral", "contact", "bone"))}
+    glenoid = curved_layer.disc(args.glenoid_width, args.full,
+                                lambda r: GLENOID * args.size)
+    humeral = curved_layer.disc(args.humeral_width, args.full, humeral_size)
+    return {body: curved_layer.sweep(disc, *sides(body, args), layers(count),
+                                     names(body))
+            for body, disc, count in (("glenoid", glenoid, GLENOID_LAYERS),
+                                      ("humeral", humeral, HUMERAL_LAYERS))}
+
+
+def hexahedral_bodies(args: argparse.Namespace) -> dict[str, Body]:
+    def body(name: str, width: float, counts: tuple[int, ...]) -> Body:
+        core, rings, layers = (max(1, round(n / args.size)) for n in counts)
+        return curved_hexahedra.sweep(
+            curved_hexahedra.disc(width, args.full, core, rings),
+            *sides(name, args), layers, names(name))
+
+    return {"glenoid": body("glenoid", args.glenoid_width, GLENOID_HEX),
+            "humeral": body("humeral", args.humeral_width, HUMERAL_HEX)}
 
 
 def parse(argv: list[str] | None) -> argparse.Namespace:
@@ -98,6 +122,8 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
                         help="factor on all element sizes")
     parser.add_argument("--full", action="store_true",
                         help="the whole joint instead of a quarter")
+    parser.add_argument("--hex", action="store_true",
+                        help="swept hexahedra instead of tetrahedra")
     for name, default, text in (
             ("--glenoid-radius", 26.0, "of the contact side"),
             ("--glenoid-bone-radius", 34.5, "of the bone side"),
@@ -128,8 +154,9 @@ def main(argv: list[str] | None = None) -> int:
     def build() -> dict[str, int]:
         surfaces = {name: tag for name, tag in SURFACES.items()
                     if not args.full or not name.startswith("symmetry")}
-        gmsh_bodies.assemble("glenohumeral", make_bodies(args), REGIONS,
-                             surfaces)
+        bodies = (hexahedral_bodies(args) if args.hex else
+                  tetrahedral_bodies(args))
+        gmsh_bodies.assemble("glenohumeral", bodies, REGIONS, surfaces)
         return REGIONS
 
     return mesh_script.run("glenohumeral.py", args.output, build, args.verbose,

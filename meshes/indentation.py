@@ -26,6 +26,8 @@ Sample runs:
   python3 meshes/indentation.py -o fine.msh --size 0.55         # 110,000
   python3 meshes/indentation.py -o curved.msh --order 2
   python3 meshes/indentation.py -o swept.msh --hex
+  python3 meshes/indentation.py -o bricks.msh --hex --order 2 --size 1.5 \\
+    --rim 0.0034 --growth 1.2                     # 5,096, for order 1
 """
 
 from __future__ import annotations
@@ -192,9 +194,9 @@ def hexahedral_bodies(args: argparse.Namespace) -> dict[str, Body]:
     rim = 2 * args.rim * args.size * a
 
     gmsh.model.add("cartilage")
-    layers = graded(h, 1.2 * rim, 1.4)
+    layers = graded(h, 1.2 * rim, args.growth)
     swept_body([a, radius], 0.0, layers[::-1], max(1, round(6 / args.size)),
-               rim, 1.4)
+               rim, args.growth)
     cartilage = take_body("cartilage", args)
     gmsh.model.add("indenter")
     layers = graded(args.indenter_height, 1.5 * rim, 1.6)
@@ -243,6 +245,10 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
                         "(default: %(default)s)")
     parser.add_argument("--hex", action="store_true",
                         help="swept hexahedra instead of tetrahedra")
+    parser.add_argument("--growth", type=mesh_script.positive, default=1.4,
+                        help="ratio of neighbouring sizes in the cartilage "
+                        "with --hex; displacements of order 1 need less than "
+                        "the default, %(default)s")
     parser.add_argument("--format", choices=("2.2", "4.1"), default="4.1",
                         help="of the file (default: %(default)s)")
     parser.add_argument("--binary", action="store_true",
@@ -261,6 +267,8 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
     if args.indenter_radius >= args.radius:
         parser.error(f"--indenter-radius {args.indenter_radius:g} must be "
                      f"smaller than --radius {args.radius:g}")
+    if args.growth <= 1.0:
+        parser.error(f"--growth {args.growth:g} must be more than 1")
     mesh_script.check_output(parser, args.output)
     return args
 

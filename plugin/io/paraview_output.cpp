@@ -1,6 +1,7 @@
 #include "io/paraview_output.hpp"
 #include "general/error.hpp"
 #include "io/output_directory.hpp"
+#include "io/vtu_piece.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -27,19 +28,39 @@ bool IsWhole(const std::string &path)
 }
 } // namespace
 
-/// MFEM's collection, which keeps the names of its files to itself.
+/// MFEM's collection, which keeps the names of its files to itself. It writes
+/// the files that name the others; what a rank has of the mesh is written here.
 class ParaViewOutput::Collection : public ParaViewDataCollection
 {
 public:
-   using ParaViewDataCollection::ParaViewDataCollection;
+   Collection(const std::string &name, ParMesh &mesh_, int order)
+      : ParaViewDataCollection(name, &mesh_), piece(mesh_, order)
+   {
+   }
+
+   void Save() override
+   {
+      // Of no elements MFEM writes pieces that take no time.
+      Mesh *const whole = mesh;
+      Mesh nothing;
+      mesh = &nothing;
+      ParaViewDataCollection::Save();
+      mesh = whole;
+      VtuPiece::Fields fields;
+      for (const auto &[name, field] : GetFieldMap())
+      {
+         fields.emplace_back(name, static_cast<ParGridFunction *>(field));
+      }
+      std::ofstream file(PiecePath());
+      piece.Write(file, fields);
+   }
 
    /// What is wrong with the files of the last Save(), or nothing.
    std::string Fault()
    {
       const std::string root = GenerateCollectionPath();
       const std::string cycle_path = root + "/" + GenerateVTUPath() + "/";
-      std::vector<std::string> files = {cycle_path +
-                                        GenerateVTUFileName("proc", myid)};
+      std::vector<std::string> files = {PiecePath()};
       if (myid == 0)
       {
          files.push_back(cycle_path + GeneratePVTUFileName("data"));
@@ -54,6 +75,15 @@ public:
       }
       return "";
    }
+
+private:
+   std::string PiecePath()
+   {
+      return GenerateCollectionPath() + "/" + GenerateVTUPath() + "/" +
+             GenerateVTUFileName("proc", myid);
+   }
+
+   VtuPiece piece;
 };
 
 ParaViewOutput::ParaViewOutput(const std::string &directory,
@@ -62,9 +92,8 @@ ParaViewOutput::ParaViewOutput(const std::string &directory,
    : comm(mesh.GetComm())
 {
    MakeOutputDirectory(directory + "/" + name, comm);
-   collection = std::make_unique<Collection>(name, &mesh);
+   collection = std::make_unique<Collection>(name, mesh, std::max(1, order));
    collection->SetPrefixPath(directory);
-   collection->SetLevelsOfDetail(std::max(1, order));
    collection->SetHighOrderOutput(true);
    collection->SetDataFormat(VTKFormat::BINARY);
    collection->SetCompressionLevel(-1);

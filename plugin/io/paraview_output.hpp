@@ -25,8 +25,9 @@ public:
                   mfem::ParMesh &mesh, int order, bool append = false);
    ~ParaViewOutput();
 
-   /// Saves this field from now on, under this name. Borrows it. Six components
-   /// are stresses: xx, yy, zz, xy, yz, xz, as ParaView has them.
+   /// Saves this field from now on, under this name. Borrows it. It must be
+   /// continuous. Six components are stresses: xx, yy, zz, xy, yz, xz, as
+   /// ParaView has them.
    void Register(const std::string &field, mfem::ParGridFunction &values);
 
    /// Writes the fields as they are. Cycles are numbers of files, and ascend.

@@ -2,13 +2,16 @@
 
 #include "io/paraview_output.hpp"
 #include "general/error.hpp"
+#include "io/vtu_piece.hpp"
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 using namespace mfem;
 using namespace synovia;
@@ -32,6 +35,45 @@ int Ranks()
    int size = 0;
    MPI_Comm_size(MPI_COMM_WORLD, &size);
    return size;
+}
+
+std::string FromBase64(const std::string &text)
+{
+   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
+                              "uvwxyz0123456789+/";
+   std::string bytes;
+   unsigned bits = 0;
+   int count = 0;
+   for (const char c : text)
+   {
+      const std::size_t digit = digits.find(c);
+      if (digit == std::string::npos) // padding
+      {
+         break;
+      }
+      bits = bits << 6 | static_cast<unsigned>(digit);
+      count += 6;
+      if (count >= 8)
+      {
+         count -= 8;
+         bytes.push_back(static_cast<char>(bits >> count & 0xff));
+      }
+   }
+   return bytes;
+}
+
+/// The numbers of the first array after the given text; not compressed.
+std::vector<double> FirstArray(const std::string &text,
+                               const std::string &after)
+{
+   // Four bytes with the size make eight digits, padded.
+   const std::size_t data =
+      text.find('\n', text.find("<DataArray", text.find(after))) + 1;
+   const std::string bytes =
+      FromBase64(text.substr(data + 8, text.find('\n', data + 8) - data - 8));
+   std::vector<double> numbers(bytes.size() / sizeof(double));
+   std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+   return numbers;
 }
 } // namespace
 
@@ -62,6 +104,38 @@ TEST_CASE("Fields go to a series of files that name each other", "[io]")
    CHECK(CountOf("<Piece", pieces) == Ranks());
    CHECK_THAT(pieces, Contains("Name=\"total_stress\" "
                                "NumberOfComponents=\"6\""));
+}
+
+TEST_CASE("Each node is written once, with its value", "[io]")
+{
+   const auto type =
+      GENERATE(Element::TETRAHEDRON, Element::HEXAHEDRON, Element::WEDGE);
+   const int order = GENERATE(1, 2, 3);
+   BoxOptions box;
+   box.type = type;
+   NamedMesh mesh = MakeBox(box);
+   const H1_FECollection elements(order, 3);
+   ParFiniteElementSpace vectors(&mesh.Get(), &elements, 3);
+   ParGridFunction place(&vectors);
+   VectorFunctionCoefficient itself(3,
+                                    [](const Vector &x, Vector &y) { y = x; });
+   place.ProjectCoefficient(itself);
+   std::ostringstream file;
+   VtuPiece(mesh.Get(), order, 0).Write(file, {{"place", &place}});
+
+   const std::string text = file.str();
+   CHECK_THAT(text, Contains("NumberOfPoints=\"" +
+                             std::to_string(vectors.GetNDofs()) + "\""));
+   // The field is the place, so that both arrays hold the same numbers, up to
+   // the round-off in which nodes differ that are not equidistant.
+   const std::vector<double> points = FirstArray(text, "<Points>");
+   const std::vector<double> values = FirstArray(text, "<PointData>");
+   REQUIRE(points.size() == std::size_t(vectors.GetVSize()));
+   REQUIRE(values.size() == points.size());
+   for (std::size_t i = 0; i < points.size(); i++)
+   {
+      REQUIRE(values[i] == Approx(points[i]).margin(1e-12));
+   }
 }
 
 TEST_CASE("A surface that not all ranks have a part of is saved", "[io]")
