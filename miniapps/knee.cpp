@@ -20,6 +20,10 @@
 // 306:34-45, 1994) and those of stiffer tissue, and --shear sets another.
 // Solid content is 0.25, units are mm, N, s, MPa.
 //
+// The ligaments of the horns run along the tibial plateau: 2000 N/mm in both of
+// its directions, and across it as much as keeps menisci in place that nothing
+// touches yet.
+//
 // Everything drains freely but for bone and where surfaces touch. The axis of
 // the medial frame is midway between the horns, the lateral one in the middle
 // of the meniscus.
@@ -55,6 +59,7 @@ struct Options
    real_t approach = 0.8;
    real_t shear = 0.05;
    real_t horn = 2000.0;
+   real_t horn_across = 1.0;
    int fields_every = 2;
 
    bool Parse(int argc, char *argv[])
@@ -72,7 +77,10 @@ struct Options
       args.AddOption(&shear, "-G", "--shear",
                      "Shear modulus of the menisci along their fibres (MPa).");
       args.AddOption(&horn, "-k", "--horn",
-                     "Stiffness of the springs at each horn (N/mm).");
+                     "Stiffness of the springs at each horn, in each direction "
+                     "of the tibial plateau (N/mm).");
+      args.AddOption(&horn_across, "-ka", "--horn-across",
+                     "Their stiffness across it (N/mm).");
       args.AddOption(&solver, "-ls", "--solver", "auto, block_amg or direct.");
       args.AddOption(&fields_every, "-fe", "--fields-every",
                      "Write fields every so many steps; 0 never.");
@@ -146,6 +154,16 @@ BoundaryCase Draining(const std::vector<std::string> &surfaces)
    return open;
 }
 
+BoundaryCase Spring(const std::string &surface, int component,
+                    real_t stiffness)
+{
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   boundary.spring.stiffness = stiffness;
+   boundary.spring.direction[component] = 1.0;
+   return boundary;
+}
+
 ContactCase Contact(const std::string &name, const std::string &source,
                     const std::string &destination)
 {
@@ -170,7 +188,12 @@ void AddSide(const std::string &side, const Options &options, CaseFile &setup)
    for (const char *end : {"_horn_anterior", "_horn_posterior"})
    {
       setup.boundaries.push_back(Draining({Meniscus(side) + end}));
-      setup.boundaries.back().spring.stiffness = options.horn;
+      for (int d = 0; d < 3; d++)
+      {
+         setup.boundaries.push_back(
+            Spring(Meniscus(side) + end, d,
+                   d < 2 ? options.horn : options.horn_across));
+      }
    }
    setup.contacts.push_back(Contact("femur-tibia-" + side, femur, tibia));
    setup.contacts.push_back(
