@@ -154,8 +154,7 @@ BoundaryCase Draining(const std::vector<std::string> &surfaces)
    return open;
 }
 
-BoundaryCase Spring(const std::string &surface, int component,
-                    real_t stiffness)
+BoundaryCase Spring(const std::string &surface, int component, real_t stiffness)
 {
    BoundaryCase boundary;
    boundary.surfaces = {surface};

@@ -39,14 +39,18 @@ DenseMatrix Directions(const Vector &direction)
       }
       return directions;
    }
-   const real_t square = direction * direction;
-   if (!(square > 0.0))
+   const real_t largest = direction.Normlinf();
+   if (!(largest > 0.0) || !std::isfinite(largest))
    {
-      throw Error("the direction of springs is zero; give a vector, or none "
-                  "for springs that act alike in all directions");
+      throw Error("the direction of springs is zero or not finite; give a "
+                  "vector, or none for springs that act alike in all "
+                  "directions");
    }
-   MultVVt(direction, directions);
-   directions *= 1.0 / square;
+   // Squares of the components themselves might overflow, or vanish.
+   Vector unit(direction);
+   unit /= largest;
+   unit /= unit.Norml2();
+   MultVVt(unit, directions);
    return directions;
 }
 } // namespace

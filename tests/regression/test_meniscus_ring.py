@@ -4,6 +4,9 @@
 Requirements: a quarter of a ring of meniscus between a spherical and a flat
 layer, meshed with a core of quadrangles around the axis, bears what a wedge of
 five degrees bears, one element wide, and has the same pressures: within 2 %.
+
+Peaks of the traction are not compared: that of femur and tibia is at the last
+vertices before the meniscus, which the two meshes have at different distances.
 """
 
 from __future__ import annotations
@@ -71,8 +74,7 @@ def main() -> None:
         quarter = run(directory, 90, 2)
     for column in ("reaction.femoral_cartilage_bone.z", "fluid.peak_pressure",
                    *(f"contact.{pair}.{what}" for pair in PAIRS
-                     for what in ("force_z", "peak_pressure",
-                                  "peak_traction"))):
+                     for what in ("force_z", "peak_pressure"))):
         check(abs(wedge[column]) > 0.1, f"{column} of the wedge is "
               f"{wedge[column]:.4g}")
         error = quarter[column] / wedge[column] - 1
