@@ -198,8 +198,9 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     drop = args.inner_edge - args.clearance
     if drop * (2 * args.femoral_radius - drop) > 0.7 * args.meniscal_radius**2:
         parser.error("--inner-edge leaves no room for the wedge")
-    if args.hole > 0.1 * args.width:
-        parser.error("--hole must be less than a tenth of --width")
+    if args.hole >= 0.5 * inner_radius(args):
+        parser.error("--hole must be less than half of the meniscus's inner "
+                     "radius")
     mesh_script.check_output(parser, args.output)
     return args
 

@@ -23,14 +23,14 @@
 // programs, which solve less accurately while the active set changes
 // (--active-set-tolerance).
 //
-// scripts/benchmark makes tables and plots of many such runs.
+// scripts/benchmark makes tables and plots of many such runs. The exit status
+// is 3 if a step did not converge, which the row says too.
 //
 // Sample runs:
 //   scaling
 //   mpirun -np 2 scaling --elements tet --size 10 --solver block_amg
 //   mpirun -np 2 scaling --order 1 --size 24 --csv scaling.csv
-//   scaling --order 3 --size 4 --jump 1e4 --permeability 1e-9 --solver
-//   block_amg
+//   scaling --order 3 --size 4 --jump 1e4 --solver block_amg
 
 #include "general/reduce.hpp"
 #include "general/resource_use.hpp"

@@ -20,4 +20,5 @@
 #include "mesh/named_mesh.hpp"
 #include "mesh/surface_centre.hpp"
 #include "physics/biphasic_problem.hpp"
+#include "solvers/sdirk2_solver.hpp"
 #include "solvers/time_stepper.hpp"

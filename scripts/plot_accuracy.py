@@ -71,8 +71,10 @@ class Cost:
 
 def run(command: list[str | pathlib.Path], log: pathlib.Path) -> str:
     """Runs it; gives what it printed, which is in the log too."""
+    # Threads of its own make BLAS wait busily, which counts as processor time.
     result = subprocess.run(command, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, text=True)
+                            stderr=subprocess.STDOUT, text=True,
+                            env={"OPENBLAS_NUM_THREADS": "1"} | os.environ)
     log.write_text(result.stdout)
     if result.returncode != 0:
         last = (result.stdout.strip().splitlines() or ["it said nothing"])[-1]

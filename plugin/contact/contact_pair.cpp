@@ -135,6 +135,7 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
 
 void ContactPair::SetHeldPressures(const Array<int> &vertices)
 {
+   pressure_held = false;
    for (const int vertex : vertices)
    {
       pressure_held[vertex] = true;

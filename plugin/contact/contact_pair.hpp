@@ -95,7 +95,8 @@ public:
    const ContactSurface &Destination() const { return destination; }
 
    /// Vertices (multiplier true dofs) whose pressure boundary conditions hold:
-   /// no fluid passes there, as no pressure of theirs could close the jump.
+   /// no fluid passes those of the destination, as no pressure of theirs could
+   /// close the jump.
    void SetHeldPressures(const mfem::Array<int> &vertices);
 
    /// Prepares for steps of length @a dt (time); until then for steady flow.

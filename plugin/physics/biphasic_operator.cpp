@@ -76,9 +76,10 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
       smooth_stabilisation =
          std::make_unique<SmoothStabilisation>(spaces, materials);
    }
+   const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
    for (ContactPair *pair : pairs)
    {
-      pair->SetHeldPressures(spaces.VerticesAmong(conditions.PressureDofs()));
+      pair->SetHeldPressures(held);
       contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
       contact_pressure_dofs.Append(pair->Destination().PressureTrueDofs());
    }

@@ -39,8 +39,13 @@ DenseMatrix Directions(const Vector &direction)
       }
       return directions;
    }
+   bool finite = true;
+   for (const real_t component : direction)
+   {
+      finite = finite && std::isfinite(component);
+   }
    const real_t largest = direction.Normlinf();
-   if (!(largest > 0.0) || !std::isfinite(largest))
+   if (!finite || !(largest > 0.0))
    {
       throw Error("the direction of springs is zero or not finite; give a "
                   "vector, or none for springs that act alike in all "

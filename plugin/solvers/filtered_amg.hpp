@@ -36,11 +36,12 @@ public:
    /// factors, which are to be treated as if they were prescribed, although the
    /// hierarchy knows nothing of it. SetWeights() must follow.
    void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
-   /// Takes other weights, not negative, for each factor, and factorises, which
-   /// it says if there is anything to factorise. Collective.
+   /// Takes other weights, not negative, for each factor, and factorises. Says
+   /// whether there was anything to factorise. Collective.
    bool SetWeights(const std::vector<mfem::Vector> &weights);
 
-   /// 1 for the dofs in which a factor has entries, 0 elsewhere. Collective.
+   /// 1 for the dofs, @a size on this rank, in which a factor has entries, 0
+   /// elsewhere. Collective.
    static mfem::Array<int>
    Touched(int size, const std::vector<const mfem::HypreParMatrix *> &factors);
 

@@ -1,4 +1,5 @@
 #include "solvers/step_error.hpp"
+#include "solvers/sdirk2_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +60,9 @@ Vector EstimateError(TimeScheme scheme, const StageRecorder &stages, real_t dt,
    }
    else if (scheme == TimeScheme::sdirk23)
    {
-      // Weights (1/2, 1/2) against (1, 0).
+      // Weights (1-g, g) against (1, 0).
       error -= stages.Rate(last - 1);
-      error *= 0.5 * dt;
+      error *= Sdirk2Solver::gamma * dt;
    }
    else
    {

@@ -6,7 +6,7 @@
 namespace synovia
 {
 
-/// Schemes that are stiffly accurate or at least L-stable.
+/// Schemes that are L-stable and stiffly accurate.
 enum class TimeScheme
 {
    backward_euler,

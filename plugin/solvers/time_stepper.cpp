@@ -1,6 +1,7 @@
 #include "solvers/time_stepper.hpp"
 #include "general/error.hpp"
 #include "general/text.hpp"
+#include "solvers/sdirk2_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,7 @@ std::unique_ptr<ODESolver> MakeSolver(TimeScheme scheme)
    switch (scheme)
    {
    case TimeScheme::sdirk23:
-      // The variant with gamma = 1 - 1/sqrt(2), which is L-stable.
-      return std::make_unique<SDIRK23Solver>(2);
+      return std::make_unique<Sdirk2Solver>();
    case TimeScheme::sdirk33:
       return std::make_unique<SDIRK33Solver>();
    default:

@@ -11,7 +11,10 @@ import subprocess
 import tempfile
 from collections.abc import Mapping
 
-# Options of the program in the order of their columns, with its defaults.
+# Exit status of the program when it did not converge, with a row that says so.
+NOT_CONVERGED = 3
+# Options of the program in the order of their columns, with the base point's
+# values.
 DEFAULTS = {
     "elements": "hex", "size": 8, "refine": 0, "order": 2,
     "permeability": 1e-3, "step": 1.0, "steps": 2, "poisson": 0.1,
@@ -108,16 +111,26 @@ class Runner:
         try:
             output, _ = process.communicate(timeout=self.timeout)
         except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
+            self._end(process)
             return f"failed: more than {self.timeout:g} s", ""
         except BaseException:
-            os.killpg(process.pid, signal.SIGTERM)
-            process.communicate()
+            self._end(process)
             raise
         if process.returncode < 0:
             return f"failed: signal {-process.returncode}", output
+        if process.returncode not in (0, NOT_CONVERGED):
+            return f"failed: {last_line(output)}", output
         return "", output
+
+    @staticmethod
+    def _end(process: subprocess.Popen) -> None:
+        """Lets the launcher end its ranks, which it cannot when it is killed."""
+        os.killpg(process.pid, signal.SIGTERM)
+        try:
+            process.communicate(timeout=10)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
 
     @staticmethod
     def _row(table: pathlib.Path) -> Row | None:

@@ -25,7 +25,7 @@ class Point:
 
 @dataclasses.dataclass(frozen=True)
 class Sweep:
-    """An axis: its points, and whether its iterations have to be flat."""
+    """An axis and its points."""
 
     name: str
     label: str

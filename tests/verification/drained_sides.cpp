@@ -30,14 +30,9 @@ BoxOptions Block(Element::Type type, int across, real_t size_z)
    return box;
 }
 
-struct Squeezed
-{
-   std::vector<real_t> force;
-   std::vector<real_t> outflow;
-};
-
-Squeezed Squeeze(NamedMesh &mesh, const std::vector<std::string> &blocks,
-                 int order)
+// The force on the top at each step.
+std::vector<real_t> Squeeze(NamedMesh &mesh,
+                            const std::vector<std::string> &blocks, int order)
 {
    const IsotropicElastic solid(0.5417, 0.0833);
    const ConstantPermeability permeability(4.0e-3);
@@ -66,16 +61,15 @@ Squeezed Squeeze(NamedMesh &mesh, const std::vector<std::string> &blocks,
    times.step = 10.0;
    times.end = 80.0;
    TimeStepper stepper(problem, times);
-   Squeezed result;
+   std::vector<real_t> force;
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
       CAPTURE(report.reason, report.time);
       REQUIRE(report.converged);
-      result.force.push_back(problem.Reaction(problem.Supports().back())[2]);
-      result.outflow.push_back(problem.Operator().Fluid().outflow);
+      force.push_back(problem.Reaction(problem.Supports().back())[2]);
    }
-   return result;
+   return force;
 }
 } // namespace
 
@@ -88,13 +82,12 @@ TEST_CASE("Two blocks with drained sides equal one")
    NamedMesh one = MakeBox(Block(type, across, 2 * height));
    NamedMesh two = MakeStack(Block(type, across, height),
                              Block(type, 2 * across / 3, height));
-   const Squeezed exact = Squeeze(one, {"body"}, order);
-   const Squeezed found = Squeeze(two, {"lower", "upper"}, order);
-   REQUIRE(found.force.size() == exact.force.size());
-   for (size_t i = 0; i < exact.force.size(); i++)
+   const std::vector<real_t> exact = Squeeze(one, {"body"}, order);
+   const std::vector<real_t> found = Squeeze(two, {"lower", "upper"}, order);
+   REQUIRE(found.size() == exact.size());
+   for (size_t i = 0; i < exact.size(); i++)
    {
-      CAPTURE(i, exact.force[i], found.force[i], exact.outflow[i],
-              found.outflow[i]);
-      CHECK(found.force[i] == Approx(exact.force[i]).epsilon(0.01));
+      CAPTURE(i);
+      CHECK(found[i] == Approx(exact[i]).epsilon(0.01));
    }
 }

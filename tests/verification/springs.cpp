@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 using namespace mfem;
 using namespace synovia;
 
@@ -122,6 +124,13 @@ TEST_CASE("A block on springs")
    CHECK(motion.from_history == Approx(force));
 }
 
+TEST_CASE("Only the direction of a vector along springs matters")
+{
+   const real_t length = GENERATE(1e-200, 1e200);
+   const Motion motion = Solve(Along(0.0, 0.0, length));
+   CHECK(motion.foot == Approx(-load * area / stiffness));
+}
+
 TEST_CASE("Several springs at one surface act together")
 {
    const real_t force = load * area;
@@ -133,8 +142,15 @@ TEST_CASE("Several springs at one surface act together")
 
 TEST_CASE("Springs without stiffness or direction are errors")
 {
-   CHECK_THROWS_WITH(Solve(Along(0.0, 0.0, 0.0)),
-                     Catch::Contains("the direction of springs is zero"));
+   const real_t nan = std::numeric_limits<real_t>::quiet_NaN();
+   const real_t infinity = std::numeric_limits<real_t>::infinity();
+   for (const real_t along : {0.0, nan, infinity})
+   {
+      CHECK_THROWS_WITH(Solve(Along(0.0, along, along > 0.0 ? 1.0 : 0.0)),
+                        Catch::Contains("the direction of springs is zero"));
+   }
+   CHECK_THROWS_WITH(Solve(Along(1.0, nan, 0.0)),
+                     Catch::Contains("or not finite"));
    NamedMesh mesh = MakeBox(BoxOptions());
    BiphasicSpaces spaces(mesh.Get(), 2);
    for (const real_t wrong : {0.0, -1.0})
