@@ -41,10 +41,13 @@ except ImportError:
     sys.exit("glenohumeral.py: error: the gmsh module is missing: install "
              "python3-gmsh (Debian) or 'pip install gmsh'")
 
-import curved_hexahedra
+import numpy as np
+
 import curved_layer
 import gmsh_bodies
+import hexahedral_sweep
 import mesh_script
+import quad_plane
 from curved_layer import Surface
 from gmsh_bodies import Body
 
@@ -59,6 +62,8 @@ GLENOID = 0.66
 HUMERAL = 0.85
 GLENOID_LAYERS = 5
 HUMERAL_LAYERS = 4
+# Names of the lower and the upper surface.
+FACES = {"glenoid": ("bone", "contact"), "humeral": ("contact", "bone")}
 # Beyond the glenoid's rim the humeral elements grow with the distance.
 GROWTH = 0.12
 # Hexahedra: edges of the core of a quarter, rings around it, and layers.
@@ -67,8 +72,7 @@ HUMERAL_HEX = (12, 8, 4)
 
 
 def names(body: str) -> dict[str, str]:
-    lower, upper = (("bone", "contact") if body == "glenoid" else
-                    ("contact", "bone"))
+    lower, upper = FACES[body]
     return {"lower": f"{body}_{lower}", "upper": f"{body}_{upper}",
             "rim": f"{body}_rim", "symmetry_x": "symmetry_x",
             "symmetry_y": "symmetry_y"}
@@ -105,9 +109,15 @@ def tetrahedral_bodies(args: argparse.Namespace) -> dict[str, Body]:
 def hexahedral_bodies(args: argparse.Namespace) -> dict[str, Body]:
     def body(name: str, width: float, counts: tuple[int, ...]) -> Body:
         core, rings, layers = (max(1, round(n / args.size)) for n in counts)
-        return curved_hexahedra.sweep(
-            curved_hexahedra.disc(width, args.full, core, rings),
-            *sides(name, args), layers, names(name))
+        mesh = (quad_plane.disc(2 * core, rings, 2) if args.full else
+                quad_plane.quarter_disc(core, rings, 2))
+        mesh.points = width * mesh.points
+        x, y = mesh.points.T[:, :, None]
+        lower, upper = (side(x, y) for side in sides(name, args))
+        share = np.linspace(0, 1, 2 * layers + 1)
+        columns = np.stack(np.broadcast_arrays(
+            x, y, (1 - share) * lower + share * upper), axis=-1)
+        return hexahedral_sweep.sweep(mesh, columns, *FACES[name], name)
 
     return {"glenoid": body("glenoid", args.glenoid_width, GLENOID_HEX),
             "humeral": body("humeral", args.humeral_width, HUMERAL_HEX)}

@@ -32,8 +32,13 @@ import numpy as np
 import gmsh_bodies
 import mesh_script
 from gmsh_bodies import Body
-from hexahedron27 import (
-    FACES, HEXAHEDRON_27, NODES, QUADRANGLE_9, face_nodes)
+from lagrange_element import HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE
+
+# Where the nodes of second order are in an element, in halves of its edges.
+NODES = HEXAHEDRON_NODES[2]
+# Corners of its faces, outward, by the direction in which they look.
+FACES = {(0, 0): (0, 4, 7, 3), (0, 1): (1, 2, 6, 5), (1, 0): (0, 1, 5, 4),
+         (1, 1): (3, 7, 6, 2), (2, 0): (0, 3, 2, 1), (2, 1): (4, 5, 6, 7)}
 
 
 def graded(s: np.ndarray, contact: float, extent: float) -> np.ndarray:
@@ -42,6 +47,13 @@ def graded(s: np.ndarray, contact: float, extent: float) -> np.ndarray:
     slope = 1.3 * contact / part
     beyond = np.maximum(s - part, 0.0) / (1.0 - part)
     return slope * s + (extent - slope) * beyond**3
+
+
+def face_nodes(corners: tuple[int, ...]) -> list[tuple[int, int, int]]:
+    """The nine nodes of a face in gmsh's order, in halves of edges."""
+    c = NODES[list(corners)]
+    middles = [(c[i] + c[(i + 1) % 4]) // 2 for i in range(4)]
+    return [tuple(p) for p in [*c, *middles, (c[0] + c[2]) // 2]]
 
 
 def block(cells: int, radius: float, contact: float, extent: float,
@@ -75,8 +87,8 @@ def block(cells: int, radius: float, contact: float, extent: float,
             if element[axis] == end * (cells - 1):
                 faces[names[axis, end]] += [number(*(first + node))
                                             for node in face_nodes(corners)]
-    return Body(points, [(HEXAHEDRON_27, np.array(hexahedra, dtype=np.int64))],
-                {name: [(QUADRANGLE_9, np.array(nodes, dtype=np.int64))]
+    return Body(points, [(HEXAHEDRON[2], np.array(hexahedra, dtype=np.int64))],
+                {name: [(QUADRANGLE[2], np.array(nodes, dtype=np.int64))]
                  for name, nodes in faces.items()})
 
 

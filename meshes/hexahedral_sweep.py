@@ -17,7 +17,8 @@ def sweep(mesh: QuadMesh, columns: np.ndarray, lower: str, upper: str,
     The elements are of the mesh's order. columns is n x (order * layers + 1)
     x 3, from the lower side to the upper one; seen from above the mesh is
     counter-clockwise. Sides are named as the edges of the mesh, all surfaces
-    after the prefix.
+    after the prefix but those that bodies have in common: planes of symmetry
+    and the axis of a wedge.
     """
     n, levels = columns.shape[:2]
     points = columns.transpose(1, 0, 2).reshape(-1, 3)
@@ -34,8 +35,14 @@ def sweep(mesh: QuadMesh, columns: np.ndarray, lower: str, upper: str,
             [along[:, i] + (layers[:, None] + k) * n
              for i, k in QUADRANGLE_NODES[order]], axis=-1)
     return Body(points, [(HEXAHEDRON[order], (hexahedra + 1).ravel())],
-                {f"{prefix}_{name}": [(QUADRANGLE[order], (these + 1).ravel())]
+                {_surface(prefix, name):
+                 [(QUADRANGLE[order], (these + 1).ravel())]
                  for name, these in faces.items()})
+
+
+def _surface(prefix: str, side: str) -> str:
+    common = side == "axis" or side.startswith("symmetry")
+    return side if common else f"{prefix}_{side}"
 
 
 def _elements(body: Body, parts: list, dim: int) -> np.ndarray:

@@ -147,18 +147,7 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
         columns, ring, MENISCUS,
         quads_of(bodies[TIBIA], f"{TIBIA}_contact"),
         quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
-    for name, body in bodies.items():
-        body.surfaces = {shared(surface): faces
-                         for surface, faces in body.surfaces.items()}
     return bodies
-
-
-def shared(surface: str) -> str:
-    """Planes of symmetry have one name for all bodies."""
-    body, _, side = surface.rpartition("_")
-    if body.endswith("symmetry"):
-        return f"symmetry_{side}"
-    return side if side == "axis" else surface
 
 
 def parse(argv: list[str] | None) -> argparse.Namespace:

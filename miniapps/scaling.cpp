@@ -307,11 +307,6 @@ void AddRates(BiphasicProblem &problem, const Totals &totals, real_t seconds,
    row.Add("memory_max", use.memory_max);
 }
 
-real_t Length(const Point3 &x)
-{
-   return std::sqrt(Dot(x, x));
-}
-
 /// What the results can be checked by.
 void AddResults(BiphasicProblem &problem, const Totals &totals, CsvRow &row)
 {

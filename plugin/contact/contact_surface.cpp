@@ -105,7 +105,7 @@ Point3 DeformedFace::CurrentNormal(const IntegrationPoint &ip) const
    std::array<Point3, 2> tangents;
    CurrentPoint(ip, &tangents);
    const Point3 normal = Cross(tangents[0], tangents[1]);
-   const real_t length = std::sqrt(Dot(normal, normal));
+   const real_t length = Length(normal);
    return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
 

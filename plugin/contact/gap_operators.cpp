@@ -111,7 +111,7 @@ void TakeMeanNormals(const std::vector<SearchHit> &hits,
       if (hits[i].Found())
       {
          const Point3 sum = Sum(queries[i].normal, -1.0, hits[i].normal);
-         const real_t length = std::sqrt(Dot(sum, sum));
+         const real_t length = Length(sum);
          queries[i].normal = {sum[0] / length, sum[1] / length,
                               sum[2] / length};
       }

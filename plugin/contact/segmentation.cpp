@@ -42,11 +42,6 @@ struct Facet
    }
 };
 
-real_t Length(const Point3 &a)
-{
-   return std::sqrt(Dot(a, a));
-}
-
 Facet Outline(const DeformedFace &face)
 {
    const IntegrationRule &vertices =

@@ -56,7 +56,7 @@ bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
       // Cramer's rule for [t0 t1 -n] (dxi, deta, ds) = -residual.
       const Point3 area = Cross(t[0], t[1]);
       const real_t det = -Dot(area, query.normal);
-      const real_t scale = std::sqrt(Dot(area, area));
+      const real_t scale = Length(area);
       if (std::abs(det) < 1e-10 * scale)
       {
          return false;

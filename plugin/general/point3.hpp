@@ -3,6 +3,7 @@
 #include "mfem.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace synovia
 {
@@ -13,6 +14,11 @@ using Point3 = std::array<mfem::real_t, 3>;
 inline mfem::real_t Dot(const Point3 &a, const Point3 &b)
 {
    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline mfem::real_t Length(const Point3 &a)
+{
+   return std::sqrt(Dot(a, a));
 }
 
 inline Point3 Cross(const Point3 &a, const Point3 &b)

@@ -1,6 +1,9 @@
 #include "io/progress.hpp"
 
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <unistd.h>
 
 namespace synovia
@@ -12,6 +15,26 @@ namespace
 {
 // Seconds between lines of a log.
 constexpr double log_interval = 10.0;
+
+// Open MPI's mpirun gives each program a terminal of its own to write to,
+// wherever its own output goes, which is what matters then.
+bool WritesToTerminal()
+{
+   if (isatty(STDOUT_FILENO) == 0)
+   {
+      return false;
+   }
+   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
+   {
+      return true;
+   }
+   std::error_code error;
+   const std::string output =
+      std::filesystem::read_symlink(
+         "/proc/" + std::to_string(getppid()) + "/fd/1", error)
+         .string();
+   return output.rfind("/dev/pts/", 0) == 0 || output.rfind("/dev/tty", 0) == 0;
+}
 } // namespace
 
 Progress::Progress(MPI_Comm comm)
@@ -19,7 +42,7 @@ Progress::Progress(MPI_Comm comm)
    int rank;
    MPI_Comm_rank(comm, &rank);
    writes = rank == 0;
-   terminal = isatty(STDOUT_FILENO) != 0;
+   terminal = WritesToTerminal();
    watch.Start();
 }
 

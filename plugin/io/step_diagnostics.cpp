@@ -56,10 +56,10 @@ void AddContact(History::Row &row, const ContactPair &pair)
    const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
    AddPoint(row, prefix + "force_", now.destination_force);
    AddPoint(row, prefix + "source_force_", now.source_force);
-   row.emplace_back(prefix + "force_error", std::sqrt(Dot(sum, sum)));
+   row.emplace_back(prefix + "force_error", Length(sum));
    const Point3 moment = Sum(now.source_moment, 1.0, now.destination_moment);
    AddPoint(row, prefix + "moment_", now.destination_moment);
-   row.emplace_back(prefix + "moment_error", std::sqrt(Dot(moment, moment)));
+   row.emplace_back(prefix + "moment_error", Length(moment));
    row.emplace_back(prefix + "fluid_load_support", now.fluid_load_support);
    row.emplace_back(prefix + "area", now.area);
    row.emplace_back(prefix + "penetration", now.penetration);

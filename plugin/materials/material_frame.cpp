@@ -13,7 +13,7 @@ namespace
 {
 Point3 Unit(const Point3 &a, const std::string &what)
 {
-   const real_t length = std::sqrt(Dot(a, a));
+   const real_t length = Length(a);
    if (!(length > 0.0) || !std::isfinite(length))
    {
       throw Error("the " + what + " is zero; give a vector");
@@ -71,7 +71,7 @@ Point3 CylindricalFrame::FromLine(const Vector &point) const
 void CylindricalFrame::GetAxes(const Vector &point, DenseMatrix &axes) const
 {
    const Point3 r = FromLine(point);
-   const real_t distance = std::sqrt(Dot(r, r));
+   const real_t distance = Length(r);
    MFEM_VERIFY(distance > 0.0, "a cylindrical frame has no r and theta on its "
                                "axis");
    const Point3 outward{{r[0] / distance, r[1] / distance, r[2] / distance}};

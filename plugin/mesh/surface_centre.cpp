@@ -53,7 +53,7 @@ std::array<Point3, 2> Across(const Point3 &axis)
    Point3 first{{0.0, 0.0, 0.0}};
    first[least] = 1.0;
    first = Sum(first, -axis[least], axis);
-   const real_t length = std::sqrt(Dot(first, first));
+   const real_t length = Length(first);
    for (real_t &component : first)
    {
       component /= length;
@@ -85,7 +85,7 @@ Point3 CentreOfArea(ParMesh &mesh, const Array<int> &boundaries)
 Point3 CentreOfCircle(ParMesh &mesh, const Array<int> &boundaries,
                       const Point3 &axis_)
 {
-   const real_t length = std::sqrt(Dot(axis_, axis_));
+   const real_t length = Length(axis_);
    if (!(length > 0.0))
    {
       throw Error("the axis of a circle has no direction");

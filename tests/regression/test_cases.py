@@ -11,7 +11,6 @@ from __future__ import annotations
 import csv
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -19,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history, make_mesh, run_program)
 
 CASES = SOURCE / "miniapps" / "cases"
 E, NU, KAPPA = 0.5417, 0.0833, 4.0e-3
@@ -61,9 +60,7 @@ class Runs:
 
     def mesh(self, script: str, *arguments: str) -> pathlib.Path:
         file = self.directory / "mesh.msh"
-        subprocess.run([sys.executable, SOURCE / "meshes" / script,
-                        *arguments, "-o", file], check=True,
-                       stdout=subprocess.DEVNULL)
+        make_mesh(script, file, *arguments)
         return file
 
     def __call__(self, case: pathlib.Path, mesh: pathlib.Path,
@@ -74,12 +71,7 @@ class Runs:
                    case, "--output", output, "--set", f'mesh.file="{mesh}"']
         for setting in settings:
             command += ["--set", setting]
-        run = subprocess.run(command, stdout=subprocess.PIPE,
-                             stderr=subprocess.STDOUT, text=True)
-        if run.returncode != 0:
-            print(run.stdout)
-        check(run.returncode == 0, f"{case.name} {' '.join(settings)}: exit "
-              f"status {run.returncode}")
+        run_program(*command, text=f"{case.name} {' '.join(settings)}")
         rows = history(output)
         worst = max(abs(row["fluid.volume_balance"])
                     / max(abs(row["fluid.outflow"]), 1e-12) for row in rows)

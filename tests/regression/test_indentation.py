@@ -9,7 +9,6 @@ and either solver; few augmentations.
 from __future__ import annotations
 
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -17,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+    MPIEXEC, PROGRAMS, check, finish, history, make_mesh, run_program)
 
 THICKNESS = 0.75
 FORCE = "contact.indenter-cartilage.source_force_z"
@@ -30,22 +29,14 @@ class Runs:
     def __init__(self, directory: pathlib.Path) -> None:
         self.directory = directory
         self.mesh = directory / "indentation.msh"
-        subprocess.run(
-            [sys.executable, SOURCE / "meshes" / "indentation.py", "--size",
-             "1.9", "-o", self.mesh], check=True)
+        make_mesh("indentation.py", self.mesh, "--size", "1.9")
 
     def __call__(self, ranks: int, *arguments: str) -> list[dict[str, float]]:
         output = self.directory / "out"
-        result = subprocess.run(
-            [MPIEXEC, "-n", str(ranks), PROGRAMS / "indentation",
-             "--mesh", self.mesh, "--output", output, "--fields-every", "0",
-             *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True)
-        if result.returncode != 0:
-            print(result.stdout)
-        check(result.returncode == 0,
-              f"{ranks} ranks, {' '.join(arguments)}: exit status "
-              f"{result.returncode}")
+        run_program(
+            MPIEXEC, "-n", str(ranks), PROGRAMS / "indentation",
+            "--mesh", self.mesh, "--output", output, "--fields-every", "0",
+            *arguments, text=f"{ranks} ranks, {' '.join(arguments)}")
         return history(output)
 
 

@@ -10,7 +10,6 @@ horns sink, and hardly move otherwise; the load relaxes when the femur rests.
 from __future__ import annotations
 
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -18,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history, make_mesh, run_program)
 
 SIDES = ("medial", "lateral")
 PAIRS = [f"{pair}-{side}" for side in SIDES
@@ -29,16 +28,6 @@ HORNS = [f"spring.meniscus_{side}_horn_{end}." for side in SIDES
 STIFFNESS = {"x": 2000.0, "y": 2000.0, "z": 1.0}
 THICKNESS = 2.0         # of the cartilage, mm
 REACTION = "reaction.femoral_cartilage_bone.z"
-
-
-def run(*command: str | pathlib.Path) -> str:
-    result = subprocess.run(command, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, text=True)
-    if result.returncode != 0:
-        print(result.stdout)
-    check(result.returncode == 0, f"{' '.join(map(str, command))}: exit "
-          f"status {result.returncode}")
-    return result.stdout
 
 
 def first_touch(rows: list[dict[str, float]], pair: str) -> float:
@@ -108,13 +97,14 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
         mesh = directory / "knee.msh"
-        run(sys.executable, SOURCE / "meshes" / "knee_parametric.py",
-            "--size", "3", "-o", mesh)
-        printed = run(MPIEXEC, "-n", "2", PROGRAMS / "knee",
-                      "--mesh", mesh, "--output", directory / "program",
-                      "--step", "10", "--end", "120")
+        make_mesh("knee_parametric.py", mesh, "--size", "3")
+        printed = run_program(
+            MPIEXEC, "-n", "2", PROGRAMS / "knee", "--mesh", mesh, "--output",
+            directory / "program", "--step", "10", "--end", "120")
         check("medial tibial cartilage: " in printed,
               "the program says what each side bears")
+        check("step 12/12" in printed and "\x1b" not in printed,
+              "a log gets whole lines, no terminal's codes")
         rows = history(directory / "program")
         check(len(rows) == 12, "twelve steps")
         check_contact(rows)
@@ -123,16 +113,16 @@ def main() -> None:
         case = (MPIEXEC, "-n", "2", PROGRAMS / "synovia",
                 SOURCE / "miniapps" / "cases" / "knee.toml", "--output",
                 directory / "case", "--set", f'mesh.file="{mesh}"')
-        check("warning" not in run(*case, "--check"),
+        check("warning" not in run_program(*case, "--check"),
               "nothing is wrong with the case, springs hold the menisci")
-        run(*case, "--set", "time.step=10", "--set", "time.end=20")
+        run_program(*case, "--set", "time.step=10", "--set", "time.end=20")
         same = history(directory / "case")[-1]
         difference = abs(same[REACTION] / rows[1][REACTION] - 1)
         check(same["t"] == rows[1]["t"] and difference < 1e-6,
               f"the case file gives the same to {difference:.1e}")
 
-        run(sys.executable, SOURCE / "scripts" / "plot_knee.py",
-            directory / "program", "-o", directory / "pictures")
+        run_program(sys.executable, SOURCE / "scripts" / "plot_knee.py",
+                    directory / "program", "-o", directory / "pictures")
         for picture in ("knee.png", "knee.gif"):
             size = (directory / "pictures" / picture).stat().st_size
             check(size > 20000, f"{picture} has {size} bytes")

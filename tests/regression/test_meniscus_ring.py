@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -21,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish, history)
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, history, make_mesh, run_program)
 
 CASE = SOURCE / "miniapps" / "cases" / "meniscus_ring.toml"
 PAIRS = ("femur-tibia", "tibia-meniscus", "meniscus-femur")
@@ -42,25 +41,18 @@ def wedge_settings() -> list[str]:
         f"[{-math.sin(turn)!r}, {math.cos(turn)!r}, 0]}}")]
 
 
-def run(directory: pathlib.Path, angle: int, ranks: int,
+def compress(directory: pathlib.Path, angle: int, ranks: int,
         *settings: str) -> dict[str, float]:
     """The last row of the history; forces are those of the whole turn."""
     mesh = directory / f"{angle}.msh"
-    subprocess.run([sys.executable, SOURCE / "meshes" / "meniscus_ring.py",
-                    "--angle", str(angle), "--geometry-order", "2",
-                    "-o", mesh], check=True,
-                   stdout=subprocess.DEVNULL)
+    make_mesh("meniscus_ring.py", mesh, "--angle", str(angle),
+              "--geometry-order", "2")
     command = [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia", CASE,
                "--output", directory / str(angle)]
     for setting in (f'mesh.file="{mesh}"', "time.step=10", "time.end=50",
                     *settings):
         command += ["--set", setting]
-    result = subprocess.run(command, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, text=True)
-    if result.returncode != 0:
-        print(result.stdout)
-    check(result.returncode == 0, f"{angle} degrees: exit status "
-          f"{result.returncode}")
+    run_program(*command, text=f"{angle} degrees")
     row = history(directory / str(angle))[-1]
     return {name: value * (360 / angle if "force_" in name
                            or name.startswith("reaction.") else 1)
@@ -70,8 +62,8 @@ def run(directory: pathlib.Path, angle: int, ranks: int,
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
-        wedge = run(directory, ANGLE, 1, *wedge_settings())
-        quarter = run(directory, 90, 2)
+        wedge = compress(directory, ANGLE, 1, *wedge_settings())
+        quarter = compress(directory, 90, 2)
     for column in ("reaction.femoral_cartilage_bone.z", "fluid.peak_pressure",
                    *(f"contact.{pair}.{what}" for pair in PAIRS
                      for what in ("force_z", "peak_pressure"))):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import os
 import pathlib
+import subprocess
 import sys
 
 try:
@@ -35,6 +36,23 @@ def check(condition: bool, text: str) -> None:
 
 def finish() -> None:
     print(f"all {_passed} checks passed")
+
+
+def run_program(*command: str | pathlib.Path, text: str | None = None) -> str:
+    """What a program prints that must succeed; @a text says what was run."""
+    result = subprocess.run(command, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True)
+    if result.returncode != 0:
+        print(result.stdout)
+    check(result.returncode == 0, (text or " ".join(map(str, command)))
+          + f": exit status {result.returncode}")
+    return result.stdout
+
+
+def make_mesh(script: str, file: pathlib.Path, *arguments: str) -> None:
+    """The mesh that a script of meshes/ makes."""
+    run_program(sys.executable, SOURCE / "meshes" / script, *arguments,
+                "-o", file, text=" ".join((script,) + arguments))
 
 
 def history(output: pathlib.Path) -> list[dict[str, float]]:

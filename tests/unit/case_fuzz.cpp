@@ -237,16 +237,19 @@ std::vector<Shipped> ShippedCases()
                                 {"upper_sides_x", {9, 11}},
                                 {"upper_sides_y", {8, 10}}},
                                0.3, 0.3));
-   add("indentation", TwoBoxes("cartilage", "indenter",
-                               {{"bone", {1}},
-                                {"cartilage_top", {6}},
-                                {"cartilage_side", {3, 4}},
-                                {"symmetry_x", {5, 11}},
-                                {"symmetry_y", {2, 8}},
-                                {"indenter_bottom", {7}},
-                                {"indenter_top", {12}},
-                                {"indenter_side", {9, 10}}},
-                               3.0, 0.75));
+   for (const std::string name : {"indentation", "indentation_hexahedra"})
+   {
+      add(name, TwoBoxes("cartilage", "indenter",
+                         {{"bone", {1}},
+                          {"cartilage_top", {6}},
+                          {"cartilage_side", {3, 4}},
+                          {"symmetry_x", {5, 11}},
+                          {"symmetry_y", {2, 8}},
+                          {"indenter_bottom", {7}},
+                          {"indenter_top", {12}},
+                          {"indenter_side", {9, 10}}},
+                         3.0, 0.75));
+   }
    add("hertz", TwoBoxes("lower", "upper",
                          {{"lower_bottom", {1}},
                           {"lower_contact", {6}},
@@ -257,16 +260,19 @@ std::vector<Shipped> ShippedCases()
                           {"upper_top", {12}},
                           {"upper_sides", {9, 10}}},
                          10.0, 10.0));
-   add("glenohumeral", TwoBoxes("glenoid", "humeral",
-                                {{"glenoid_bone", {1}},
-                                 {"glenoid_contact", {6}},
-                                 {"glenoid_rim", {3, 4}},
-                                 {"symmetry_x", {5, 11}},
-                                 {"symmetry_y", {2, 8}},
-                                 {"humeral_contact", {7}},
-                                 {"humeral_bone", {12}},
-                                 {"humeral_rim", {9, 10}}},
-                                10.0, 10.0, 1.5));
+   for (const std::string name : {"glenohumeral", "glenohumeral_hexahedra"})
+   {
+      add(name, TwoBoxes("glenoid", "humeral",
+                         {{"glenoid_bone", {1}},
+                          {"glenoid_contact", {6}},
+                          {"glenoid_rim", {3, 4}},
+                          {"symmetry_x", {5, 11}},
+                          {"symmetry_y", {2, 8}},
+                          {"humeral_contact", {7}},
+                          {"humeral_bone", {12}},
+                          {"humeral_rim", {9, 10}}},
+                         10.0, 10.0, 1.5));
+   }
    add("meniscus_ring", RingOfMeniscus());
    add("knee", Knee());
    return cases;

@@ -51,7 +51,7 @@ std::unique_ptr<ParMesh> Arc(int pieces)
 real_t Distance(const Point3 &a, const Point3 &b)
 {
    const Point3 difference = Sum(a, -1.0, b);
-   return std::sqrt(Dot(difference, difference));
+   return Length(difference);
 }
 } // namespace
 

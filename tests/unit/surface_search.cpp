@@ -178,7 +178,7 @@ std::vector<SearchQuery> MyShare(const std::vector<SearchQuery> &all)
 real_t Distance(const Point3 &a, const Point3 &b)
 {
    const Point3 difference = Sum(a, -1.0, b);
-   return std::sqrt(Dot(difference, difference));
+   return Length(difference);
 }
 } // namespace
 

@@ -1,0 +1,173 @@
+#include "general/reduce.hpp"
+#include "physics/biphasic_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
+                                        Vector &mass) const
+{
+   Vector increment(stage.u);
+   increment -= stage.u0;
+   momentum.SetSize(stage.u.Size());
+   mass.SetSize(stage.p.Size());
+
+   Vector loads(stage.momentum_load);
+   Vector exchange(stage.p.Size());
+   exchange = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddForces(loads, exchange);
+   }
+   matrices.stiffness->Mult(stage.u, momentum);
+   matrices.divergence_transpose->Mult(-1.0, stage.p, 1.0, momentum);
+   momentum -= loads;
+
+   matrices.divergence->Mult(increment, mass);
+   matrices.darcy->Mult(stage.dt, stage.p, 1.0, mass);
+   if (matrices.stabilisation)
+   {
+      Vector pressure_increment(stage.p);
+      pressure_increment -= stage.p0;
+      matrices.stabilisation->Mult(1.0, pressure_increment, 1.0, mass);
+      mass -= stage.relief;
+   }
+   mass.Add(stage.dt, exchange);
+   mass.Add(-stage.dt, stage.mass_load);
+}
+
+void BiphasicOperator::ComputeResidual(const Stage &stage,
+                                       BlockVector &residual) const
+{
+   ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
+   residual.GetBlock(0).Neg();
+   residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
+   rigid.Collect(residual.GetBlock(0));
+   rigid.AddForces(stage.time, residual.GetBlock(0));
+   residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
+}
+
+Vector BiphasicOperator::FindRelief(const Stage &stage) const
+{
+   Vector relief(stage.p.Size());
+   relief = 0.0;
+   if (smooth_stabilisation)
+   {
+      const int nu = stage.u.Size();
+      const Vector pressure_rate(const_cast<Vector &>(rate), nu,
+                                 stage.p.Size());
+      smooth_stabilisation->Mult(pressure_rate, relief);
+      // After a jump the rate says nothing of a longer step.
+      relief *= std::min(stage.dt, rate_dt);
+   }
+   return relief;
+}
+
+ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
+{
+   // How much of one equation's change counts as change of the other, which may
+   // have none of its own.
+   constexpr real_t coupled = 1e-2;
+   // How much stricter Tighten() may be: loads and stiff contact may make much
+   // of what is hardly any fluid.
+   constexpr real_t strictest = 1e-5;
+   constexpr real_t round_off = 1e-15;
+   MPI_Comm comm = spaces.GetComm();
+   const auto norm = [comm](const Vector &x)
+   { return std::sqrt(InnerProduct(comm, x, x)); };
+
+   // What the step would leave unbalanced if nothing moved but the supports.
+   Stage still(stage);
+   still.u = stage.u0;
+   still.p = stage.p0;
+   conditions.SetDisplacement(stage.time, still.u);
+   conditions.SetPressure(stage.time, still.p);
+   BlockVector residual(spaces.Offsets());
+   ComputeResidual(still, residual);
+   const real_t scale = linear->ForcePerVolume();
+   const real_t own_force = norm(residual.GetBlock(0));
+   const real_t own_volume = norm(residual.GetBlock(1));
+   const real_t force = std::max(own_force, coupled * scale * own_volume);
+   const real_t volume = std::max(own_volume, coupled * own_force / scale);
+
+   Vector momentum(stage.u.Size());
+   Vector mass(stage.p.Size());
+   // Magnitudes of the terms that cancel.
+   Vector u(stage.u);
+   Vector p(stage.p);
+   u.Abs();
+   p.Abs();
+   momentum = 0.0;
+   mass = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddMagnitudes(u, p, momentum, mass);
+   }
+   mass *= stage.dt;
+   matrices.stiffness->AbsMult(1.0, u, 1.0, momentum);
+   matrices.divergence->AbsMult(1.0, u, 1.0, mass);
+   matrices.darcy->AbsMult(stage.dt, p, 1.0, mass);
+   const real_t relative = options.linear.relative_tolerance;
+   const real_t most = relative * volume;
+   ResidualTolerance tolerance;
+   tolerance.momentum = std::max(relative * force, round_off * norm(momentum));
+   tolerance.mass = std::max(most, round_off * norm(mass));
+   tolerance.least_mass = std::max(strictest * most, round_off * norm(mass));
+   // A body at rest without loads has nothing to be relative to.
+   constexpr real_t tiny = std::numeric_limits<real_t>::min();
+   tolerance.momentum = std::max(tolerance.momentum, tiny);
+   tolerance.mass = std::max(tolerance.mass, tiny);
+   tolerance.least_mass = std::max(tolerance.least_mass, tiny);
+   return tolerance;
+}
+
+bool BiphasicOperator::Tighten(const Stage &stage,
+                               ResidualTolerance &tolerance) const
+{
+   // Part of the fluid exchanged in the step that may get lost.
+   constexpr real_t lost = 1e-7;
+   Vector momentum;
+   Vector mass;
+   ComputeImbalance(stage, momentum, mass);
+   real_t squares = 0.0;
+   for (const int dof : jacobian->PressureDofs())
+   {
+      squares += mass[dof] * mass[dof];
+   }
+   const real_t exchanged = std::sqrt(SumOverRanks(squares, spaces.GetComm()));
+   const real_t wanted = std::max(lost * exchanged, tolerance.least_mass);
+   if (wanted >= 0.5 * tolerance.mass)
+   {
+      return false;
+   }
+   tolerance.mass = wanted;
+   return true;
+}
+
+void BiphasicOperator::RecordBalance(const Stage &stage)
+{
+   Vector mass;
+   ComputeImbalance(stage, support, mass);
+   Vector increment(stage.u);
+   increment -= stage.u0;
+   Vector growth(mass.Size());
+   matrices.divergence->Mult(increment, growth);
+   real_t drained = 0.0;
+   for (const int dof : jacobian->PressureDofs())
+   {
+      drained += mass[dof];
+   }
+   MPI_Comm comm = spaces.GetComm();
+   const real_t sources = SumOverRanks(stage.mass_load.Sum(), comm);
+   fluid.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
+   fluid.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
+   fluid.error = fluid.growth + fluid.outflow;
+}
+
+} // namespace synovia
