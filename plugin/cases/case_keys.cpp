@@ -297,7 +297,8 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .From(1, 100000);
    keys
       .Value("direct_below", linear.direct_below, "",
-             "for \"auto\": up to this many unknowns a factorisation is kept")
+             "for \"auto\": up to this many unknowns a factorisation is kept; "
+             "twice as many with stiff fibres")
       .AtLeast(0);
    keys
       .Value("renew_after", linear.renew_after, "",

@@ -165,7 +165,7 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    VerifyStiffness(setup, problem.Get().Mesh());
    MeasureSurfaces(problem.Get().Mesh());
    pairs = CheckContact(setup, problem);
-   Count(problem);
+   Count(setup, problem);
    WarnOfTimes(setup);
    WarnOfBodies(setup, problem);
 }
@@ -294,7 +294,7 @@ void ProblemReport::MeasureSurfaces(const NamedMesh &named)
    }
 }
 
-void ProblemReport::Count(CaseProblem &problem)
+void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
 {
    BiphasicSpaces &spaces = problem.Get().Spaces();
    displacements = spaces.Displacement().GlobalTrueVSize();
@@ -310,7 +310,11 @@ void ProblemReport::Count(CaseProblem &problem)
    }
    entries = synovia::SumOverRanks(entries, mesh.GetComm());
    const real_t unknowns = static_cast<real_t>(displacements + pressures);
-   const bool direct = unknowns <= LinearOptions().direct_below;
+   const bool direct =
+      ChooseMethod(
+         setup.solver.linear, displacements + pressures,
+         FindModuliRatios(spaces.GetMesh(), problem.Get().Materials())) ==
+      LinearMethod::direct;
    // Factors of three-dimensional meshes grow like n^(4/3).
    const real_t factors = direct ? 25.0 * std::pow(unknowns, 4.0 / 3.0) : 0.0;
    gigabytes =

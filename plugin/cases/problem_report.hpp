@@ -58,7 +58,7 @@ public:
 private:
    void MeasureRegions(const CaseFile &setup, CaseProblem &problem);
    void MeasureSurfaces(const NamedMesh &mesh);
-   void Count(CaseProblem &problem);
+   void Count(const CaseFile &setup, CaseProblem &problem);
    void WarnOfTimes(const CaseFile &setup);
    void WarnOfBodies(const CaseFile &setup, CaseProblem &problem);
    void VerifyStiffness(const CaseFile &setup, const NamedMesh &mesh) const;

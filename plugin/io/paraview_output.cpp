@@ -26,6 +26,23 @@ bool IsWhole(const std::string &path)
    file.read(end.data(), static_cast<std::streamsize>(end.size()));
    return file && end.find("</VTKFile>") != std::string::npos;
 }
+
+/// Another mesh in the place of one, as long as it lives.
+class ReplacedMesh
+{
+public:
+   ReplacedMesh(Mesh *&place_, Mesh *other) : place(place_), own(place_)
+   {
+      place = other;
+   }
+   ~ReplacedMesh() { place = own; }
+   ReplacedMesh(const ReplacedMesh &) = delete;
+   ReplacedMesh &operator=(const ReplacedMesh &) = delete;
+
+private:
+   Mesh *&place;
+   Mesh *const own;
+};
 } // namespace
 
 /// MFEM's collection, which keeps the names of its files to itself. It writes
@@ -41,11 +58,11 @@ public:
    void Save() override
    {
       // Of no elements MFEM writes pieces that take no time.
-      Mesh *const whole = mesh;
-      Mesh nothing;
-      mesh = &nothing;
-      ParaViewDataCollection::Save();
-      mesh = whole;
+      {
+         Mesh nothing;
+         const ReplacedMesh replaced(mesh, &nothing);
+         ParaViewDataCollection::Save();
+      }
       VtuPiece::Fields fields;
       for (const auto &[name, field] : GetFieldMap())
       {

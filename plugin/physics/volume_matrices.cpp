@@ -1,9 +1,6 @@
 #include "physics/volume_matrices.hpp"
-#include "general/reduce.hpp"
 #include "integrators/effective_stress_integrator.hpp"
 #include "integrators/pressure_projection_integrator.hpp"
-
-#include <algorithm>
 
 namespace synovia
 {
@@ -20,18 +17,6 @@ std::unique_ptr<HypreParMatrix> Assemble(ParFiniteElementSpace &space,
    form.Assemble();
    form.Finalize();
    return std::unique_ptr<HypreParMatrix>(form.ParallelAssemble());
-}
-
-real_t Incompressibility(const ParMesh &mesh, const MaterialTable &materials)
-{
-   real_t largest = 0.0;
-   for (int i = 0; i < mesh.GetNE(); i++)
-   {
-      const SolidLaw &solid = *materials.Get(mesh.GetAttribute(i)).solid;
-      largest =
-         std::max(largest, solid.AggregateModulus() / solid.ShearModulus());
-   }
-   return MaxOverRanks(largest, mesh.GetComm());
 }
 } // namespace
 
@@ -57,7 +42,7 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    form.Finalize();
    divergence.reset(form.ParallelAssemble());
    divergence_transpose.reset(divergence->Transpose());
-   incompressibility = Incompressibility(spaces.GetMesh(), materials);
+   moduli = FindModuliRatios(spaces.GetMesh(), materials);
 }
 
 } // namespace synovia

@@ -2,6 +2,7 @@
 
 #include "materials/material_table.hpp"
 #include "physics/biphasic_spaces.hpp"
+#include "physics/moduli_ratios.hpp"
 
 #include <memory>
 
@@ -27,9 +28,7 @@ struct VolumeMatrices
    /// (p / H_A, q): what the solid adds to the Schur complement of the
    /// pressure.
    std::shared_ptr<mfem::HypreParMatrix> compliance;
-   /// The largest aggregate modulus over the shear modulus of all solids: how
-   /// nearly incompressible the drained solid is.
-   mfem::real_t incompressibility = 0.0;
+   ModuliRatios moduli;
 };
 
 } // namespace synovia

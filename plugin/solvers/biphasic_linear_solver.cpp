@@ -66,19 +66,21 @@ real_t MeanDiagonal(const HypreParMatrix &matrix)
    return SumOverRanks(diagonal.Sum(), matrix.GetComm()) /
           matrix.GetGlobalNumRows();
 }
+} // namespace
 
-LinearMethod Choose(const LinearOptions &options, BiphasicSpaces &spaces)
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          const ModuliRatios &moduli)
 {
    if (options.method != LinearMethod::automatic)
    {
       return options.method;
    }
-   const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
-                             spaces.Pressure().GlobalTrueVSize();
-   return dofs <= options.direct_below ? LinearMethod::direct
-                                       : LinearMethod::block_amg;
+   // Multigrid then takes two or three times as many iterations.
+   constexpr real_t stiff_fibres = 100.0;
+   const int more = moduli.anisotropy > stiff_fibres ? 2 : 1;
+   return dofs <= more * options.direct_below ? LinearMethod::direct
+                                              : LinearMethod::block_amg;
 }
-} // namespace
 
 BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
                                            BiphasicSpaces &spaces,
@@ -87,7 +89,9 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
      force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
                                 MeanDiagonal(*jacobian.Volume().compliance)))
 {
-   options.method = Choose(options, spaces);
+   const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
+                             spaces.Pressure().GlobalTrueVSize();
+   options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli);
    if (options.method == LinearMethod::direct)
    {
       preconditioner = std::make_unique<DirectPreconditioner>(

@@ -23,13 +23,19 @@ struct LinearOptions
    LinearMethod method = LinearMethod::automatic;
    mfem::real_t relative_tolerance = 1e-8;
    int max_iterations = 300;
-   /// Automatic: up to this many dofs, direct.
+   /// Automatic: up to this many dofs, direct; up to twice as many where fibres
+   /// are much stiffer than what is between them.
    HYPRE_BigInt direct_below = 250000;
    /// A kept factorisation is renewed once the solves since took this many
    /// iterations more than they would have taken with a new one: about what a
    /// factorisation costs.
    int renew_after = 40;
 };
+
+/// The method that automatic stands for with so many dofs of all ranks; others
+/// stand for themselves.
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          const ModuliRatios &moduli);
 
 /// An approximate inverse of the Jacobian that follows its changes.
 class BiphasicPreconditioner : public mfem::Solver

@@ -32,6 +32,8 @@ private:
    std::unique_ptr<FilteredAmg> pressure;
    bool moved = true;
    mfem::real_t dt = -1.0;
+   /// 1 for the pressures that a pair's jump has to do with, 0 for others.
+   mfem::Array<int> touched;
    /// Pressures that the hierarchy takes for prescribed, and those that only
    /// the filter does.
    mfem::Array<int> p_dofs;

@@ -78,14 +78,14 @@ FilteredAmg::FilteredAmg(std::unique_ptr<HypreParMatrix> matrix_,
                          const Array<int> &prescribed_,
                          std::unique_ptr<HypreBoomerAMG> amg_)
    : Solver(matrix_->Height()), matrix(std::move(matrix_)),
-     prescribed(prescribed_), amg(std::move(amg_)), residual(height),
-     correction(height)
+     prescribed(prescribed_), amg(std::move(amg_)), residual(height)
 {
    amg->SetPrintLevel(0);
    amg->SetOperator(*matrix);
    // hypre sets up at the first use: now, while it can be timed as set-up.
    residual = 0.0;
-   amg->Mult(residual, correction);
+   Vector nothing(height);
+   amg->Mult(residual, nothing);
 }
 
 void FilteredAmg::SetOperator(const Operator &)
@@ -132,11 +132,16 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    }
    small_residual.SetSize(contact_dofs.Size());
    small_correction.SetSize(contact_dofs.Size());
-   restriction = Injection(*matrix, contact_dofs);
-   matrix_in_contact.reset(RAP(matrix.get(), restriction.get()));
+   first.SetSize(contact_dofs.Size());
+   const std::unique_ptr<HypreParMatrix> injection =
+      Injection(*matrix, contact_dofs);
+   contact_columns.reset(ParMult(matrix.get(), injection.get(), true));
+   const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
+   matrix_in_contact.reset(
+      ParMult(restriction.get(), contact_columns.get(), true));
    for (const HypreParMatrix *factor : factors)
    {
-      factors_in_contact.emplace_back(ParMult(factor, restriction.get(), true));
+      factors_in_contact.emplace_back(ParMult(factor, injection.get(), true));
    }
 }
 
@@ -163,9 +168,9 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
    return true;
 }
 
-void FilteredAmg::HoldContact(HypreParMatrix &in_contact) const
+void FilteredAmg::HoldContact(HypreParMatrix &in_contact)
 {
-   Array<int> places;
+   held_in_contact.SetSize(0);
    for (const int dof : held)
    {
       const int place = contact_dofs.FindSorted(dof);
@@ -173,27 +178,10 @@ void FilteredAmg::HoldContact(HypreParMatrix &in_contact) const
                   "a held dof is not one that contact touches");
       if (place >= 0)
       {
-         places.Append(place);
+         held_in_contact.Append(place);
       }
    }
-   in_contact.EliminateBC(places, DIAG_ONE);
-}
-
-void FilteredAmg::Filter(const Vector &r, Vector &c) const
-{
-   r.GetSubVector(contact_dofs, small_residual);
-   contact_solver->Mult(small_residual, small_correction);
-   c.AddElementVector(contact_dofs, small_correction);
-}
-
-void FilteredAmg::SetResidual(const Vector &x, const Vector &y) const
-{
-   residual = x;
-   matrix->Mult(-1.0, y, 1.0, residual);
-   y.GetSubVector(contact_dofs, small_correction);
-   penalties->Mult(-1.0, small_correction, 0.0, small_residual);
-   residual.AddElementVector(contact_dofs, small_residual);
-   residual.SetSubVector(held, 0.0);
+   in_contact.EliminateBC(held_in_contact, DIAG_ONE);
 }
 
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
@@ -203,16 +191,27 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
       amg->Mult(x, y);
       return;
    }
-   y = 0.0;
+   x.GetSubVector(contact_dofs, small_residual);
+   small_residual.SetSubVector(held_in_contact, 0.0);
+   contact_solver->Mult(small_residual, first);
+
    residual = x;
+   contact_columns->Mult(-1.0, first, 1.0, residual);
+   penalties->Mult(-1.0, first, 0.0, small_residual);
+   residual.AddElementVector(contact_dofs, small_residual);
    residual.SetSubVector(held, 0.0);
-   Filter(residual, y);
-   SetResidual(x, y);
-   amg->Mult(residual, correction);
-   correction.SetSubVector(held, 0.0);
-   y += correction;
-   SetResidual(x, y);
-   Filter(residual, y);
+   amg->Mult(residual, y);
+   y.SetSubVector(held, 0.0);
+
+   // The first solve left nothing at the contact's dofs: what there is now, the
+   // V-cycle made.
+   y.GetSubVector(contact_dofs, small_correction);
+   contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
+   penalties->Mult(-1.0, small_correction, 1.0, small_residual);
+   small_residual.SetSubVector(held_in_contact, 0.0);
+   contact_solver->Mult(small_residual, small_correction);
+   small_correction += first;
+   y.AddElementVector(contact_dofs, small_correction);
    for (const int dof : held)
    {
       y[dof] = x[dof];

@@ -49,24 +49,25 @@ public:
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
-   void Filter(const mfem::Vector &residual, mfem::Vector &correction) const;
-   void SetResidual(const mfem::Vector &x, const mfem::Vector &y) const;
-   void HoldContact(mfem::HypreParMatrix &in_contact) const;
+   void HoldContact(mfem::HypreParMatrix &in_contact);
 
    std::unique_ptr<mfem::HypreParMatrix> matrix;
    mfem::Array<int> prescribed;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
    mfem::Array<int> contact_dofs;
+   /// Of the held dofs, their places among the contact dofs.
+   mfem::Array<int> held_in_contact;
    bool has_contact = false;
-   std::unique_ptr<mfem::HypreParMatrix> restriction;
+   /// A's columns of the contact dofs: their rows as well, as A is symmetric.
+   std::unique_ptr<mfem::HypreParMatrix> contact_columns;
    /// All on the contact dofs alone: A, the factors, and sum F^T W F.
    std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;
    std::vector<std::unique_ptr<mfem::HypreParMatrix>> factors_in_contact;
    std::unique_ptr<mfem::HypreParMatrix> penalties;
    std::unique_ptr<mfem::Solver> contact_solver;
    mutable mfem::Vector residual;
-   mutable mfem::Vector correction;
+   mutable mfem::Vector first;
    mutable mfem::Vector small_residual;
    mutable mfem::Vector small_correction;
 };

@@ -68,7 +68,8 @@ def last_line(text: str) -> str:
 class Runner:
     """Starts the program by an MPI launcher."""
 
-    def __init__(self, program: pathlib.Path, launcher: str, timeout: float):
+    def __init__(self, program: pathlib.Path, launcher: str, timeout: float,
+                 directory: pathlib.Path):
         if not os.access(program, os.X_OK) or program.is_dir():
             raise BenchmarkError(f"there is no program '{program}'; build the "
                                  "target scaling, or see --program")
@@ -78,13 +79,15 @@ class Runner:
             raise BenchmarkError(f"--launcher '{launcher}': {error}") from error
         self.program = program.resolve()
         self.timeout = timeout
+        # Ranks may run on other machines, which see no local /tmp.
+        self.directory = directory
 
     def __call__(self, run: Run) -> Row:
         """The row that the program writes, with a status: "ok" or what failed.
 
         A launcher that can't be started is an error, since no run will do.
         """
-        with tempfile.TemporaryDirectory() as name:
+        with tempfile.TemporaryDirectory(dir=self.directory) as name:
             table = pathlib.Path(name) / "row.csv"
             command = [*self.launcher, str(run.ranks), str(self.program),
                        *run.arguments(), "--csv", str(table)]
