@@ -5,15 +5,6 @@
 namespace synovia
 {
 
-/// Strain-displacement matrix of small strain.
-///
-/// @param dshape  physical gradients of the shape functions, dofs x 3
-/// @param strain  6 x (3 dofs): the Voigt strain xx, yy, zz, xy, yz, xz with
-///                engineering shear of a displacement whose element dofs go
-///                component by component, as MFEM's do
-void CalcStrainMatrix(const mfem::DenseMatrix &dshape,
-                      mfem::DenseMatrix &strain);
-
 /// (C eps(u), eps(w)) with the solid law of each element's attribute.
 class EffectiveStressIntegrator : public mfem::BilinearFormIntegrator
 {
@@ -29,11 +20,15 @@ public:
                               mfem::DenseMatrix &elmat) override;
 
 private:
+   /// Adds the work of a point with the members' gradients and stiffness, which
+   /// has the point's weight.
+   void AddPoint(mfem::DenseMatrix &elmat) const;
+
    const MaterialTable &materials;
-   mfem::DenseMatrix dshape;
-   mfem::DenseMatrix strain;
+   /// Of the shape functions, dofs x 3, in the reference element and in space.
+   mfem::DenseMatrix reference;
+   mfem::DenseMatrix gradients;
    mfem::DenseMatrix stiffness;
-   mfem::DenseMatrix stress;
 };
 
 } // namespace synovia

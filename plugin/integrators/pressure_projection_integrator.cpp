@@ -1,4 +1,5 @@
 #include "integrators/pressure_projection_integrator.hpp"
+#include "integrators/quadrature_order.hpp"
 
 #include <algorithm>
 
@@ -47,9 +48,10 @@ void PressureProjectionIntegrator::AssembleElementMatrix(
       std::max(0.5 / law.ShearModulus(),
                LeastFactor(el.GetGeomType()) / law.AggregateModulus());
    const IntegrationRule &rule =
-      IntRule
-         ? *IntRule
-         : IntRules.Get(el.GetGeomType(), 2 * el.GetOrder() + trans.OrderW());
+      IntRule ? *IntRule
+              : IntRules.Get(el.GetGeomType(),
+                             QuadratureOrder(
+                                el, trans, 2 * el.GetOrder() + trans.OrderW()));
    real_t volume = 0.0;
    for (int q = 0; q < rule.GetNPoints(); q++)
    {
