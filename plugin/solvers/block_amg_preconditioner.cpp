@@ -101,19 +101,22 @@ void SmoothOnceEachWay(HypreBoomerAMG &amg)
 
 std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
 {
-   // Aggregate modulus over shear modulus, for Poisson's ratios of 0.37, 0.47.
+   const ModuliRatios &moduli = matrices.moduli;
+   // Of Poisson's ratios of 0.37 and 0.47.
    constexpr real_t compressible = 5.0;
    constexpr real_t nearly_incompressible = 20.0;
+   constexpr real_t hardly_anisotropic = 3.0;
    std::unique_ptr<HypreBoomerAMG> amg = FlowAmg();
    amg->SetSystemsOptions(3, false);
-   // The smoother works slowly on what keeps the volume: beyond the first limit
-   // more of it is less work in all, and two V-cycles beyond the second (30
-   // iterations instead of 45).
-   if (matrices.moduli.incompressibility < compressible)
+   // The smoother works slowly on what keeps the volume, and across fibres:
+   // more of it is less work in all then, and two V-cycles where the solid
+   // hardly gives way (30 iterations instead of 45).
+   if (moduli.incompressibility < compressible &&
+       moduli.anisotropy < hardly_anisotropic)
    {
       SmoothOnceEachWay(*amg);
    }
-   else if (matrices.moduli.incompressibility > nearly_incompressible)
+   else if (moduli.incompressibility > nearly_incompressible)
    {
       amg->SetMaxIter(2);
    }
