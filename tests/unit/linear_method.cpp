@@ -3,6 +3,7 @@
 // What "auto" makes of a problem's size and of its solids.
 
 #include "support/boxes.hpp"
+#include "support/meniscus_fibres.hpp"
 #include "synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,17 +26,6 @@ ModuliRatios Ratios(const SolidLaw &lower, const SolidLaw &upper)
    materials.Set(mesh.Region("upper"), {&upper, &permeability, 0.2});
    return FindModuliRatios(mesh.Get(), materials);
 }
-
-FibreConstants Fibres()
-{
-   FibreConstants constants;
-   constants.young_r = 0.075;
-   constants.young_theta = 100.0;
-   constants.poisson_rtheta = 0.0015;
-   constants.poisson_rz = 0.5;
-   constants.shear_rtheta = 0.05;
-   return constants;
-}
 } // namespace
 
 TEST_CASE("The worst ratios of moduli count, on whatever rank they are")
@@ -51,8 +41,8 @@ TEST_CASE("The worst ratios of moduli count, on whatever rank they are")
    }
    const CartesianFrame along({0.0, 1.0, 0.0});
    const CartesianFrame across({1.0, 1.0, 0.0});
-   const TransverselyIsotropic straight(Fibres(), along);
-   const TransverselyIsotropic oblique(Fibres(), across);
+   const TransverselyIsotropic straight(MeniscusFibres(), along);
+   const TransverselyIsotropic oblique(MeniscusFibres(), across);
    const real_t all = Ratios(soft, straight).anisotropy;
    CHECK(all > 500.0);
    // cos(45 degrees)^4 of it, but for what is between the fibres.

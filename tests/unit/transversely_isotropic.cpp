@@ -4,6 +4,7 @@
 
 #include "cases/stiffness_range.hpp"
 #include "support/boxes.hpp"
+#include "support/meniscus_fibres.hpp"
 #include "synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,17 +16,6 @@ using namespace synovia;
 
 namespace
 {
-FibreConstants Meniscus()
-{
-   FibreConstants constants;
-   constants.young_r = 0.075;
-   constants.young_theta = 100.0;
-   constants.poisson_rtheta = 0.0015;
-   constants.poisson_rz = 0.5;
-   constants.shear_rtheta = 0.05;
-   return constants;
-}
-
 DenseMatrix StiffnessAt(const MaterialFrame &frame, const Vector &x)
 {
    IsoparametricTransformation trans;
@@ -34,7 +24,8 @@ DenseMatrix StiffnessAt(const MaterialFrame &frame, const Vector &x)
    ip.Set3(x[0], x[1], x[2]);
    trans.SetIntPoint(&ip);
    DenseMatrix stiffness;
-   TransverselyIsotropic(Meniscus(), frame).GetStiffness(trans, ip, stiffness);
+   TransverselyIsotropic(MeniscusFibres(), frame)
+      .GetStiffness(trans, ip, stiffness);
    return stiffness;
 }
 
@@ -65,7 +56,7 @@ DenseMatrix StressInAxes(const DenseMatrix &stiffness, const DenseMatrix &axes,
 
 void CheckConstants(const MaterialFrame &frame, const Vector &x)
 {
-   const FibreConstants c = Meniscus();
+   const FibreConstants c = MeniscusFibres();
    const DenseMatrix stiffness = StiffnessAt(frame, x);
    DenseMatrix axes;
    frame.GetAxes(x, axes);
@@ -170,16 +161,16 @@ TEST_CASE("A fibrous solid that is isotropic")
 TEST_CASE("Constants that make no sense are refused")
 {
    const CartesianFrame frame({0.0, 0.0, 1.0});
-   FibreConstants constants = Meniscus();
+   FibreConstants constants = MeniscusFibres();
    constants.young_theta = 0.0;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      "E_theta is 0; it must be positive");
-   constants = Meniscus();
+   constants = MeniscusFibres();
    constants.poisson_rz = 0.999;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      Catch::Contains("not positive definite") &&
                         Catch::Contains("nu_rz = 0.999"));
-   constants = Meniscus();
+   constants = MeniscusFibres();
    constants.poisson_rtheta = 0.3;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      Catch::Contains("not positive definite"));
@@ -196,7 +187,7 @@ TEST_CASE("A bar of fibres stretches as its constants say")
    box.nx = box.ny = 2;
    NamedMesh mesh = MakeBox(box);
    const CartesianFrame frame({0.0, 0.0, 1.0});
-   const FibreConstants constants = Meniscus();
+   const FibreConstants constants = MeniscusFibres();
    const TransverselyIsotropic solid(constants, frame);
    const ConstantPermeability permeability(1.0);
    BiphasicProblem problem(mesh, SpaceOptions());
@@ -239,14 +230,14 @@ TEST_CASE("The axis of a cylindrical frame must not run through its body")
    const CylindricalFrame on_an_edge({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
    for (const CylindricalFrame *frame : {&inside, &on_an_edge})
    {
-      const TransverselyIsotropic solid(Meniscus(), *frame);
+      const TransverselyIsotropic solid(MeniscusFibres(), *frame);
       BiphasicProblem problem(mesh, SpaceOptions());
       problem.SetMaterial("body", solid, permeability);
       CHECK_THROWS_WITH(problem.Operator(),
                         Catch::Contains("axis of its cylindrical frame"));
    }
    const CylindricalFrame outside({-0.2, -0.2, 0.0}, {0.0, 0.0, 1.0});
-   const TransverselyIsotropic solid(Meniscus(), outside);
+   const TransverselyIsotropic solid(MeniscusFibres(), outside);
    BiphasicProblem problem(mesh, SpaceOptions());
    problem.SetMaterial("body", solid, permeability);
    CHECK_NOTHROW(problem.VerifyMaterials());
