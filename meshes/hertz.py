@@ -32,7 +32,8 @@ import numpy as np
 import gmsh_bodies
 import mesh_script
 from gmsh_bodies import Body
-from lagrange_element import HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE
+from lagrange_element import (
+    HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE, QUADRANGLE_NODES)
 
 # Where the nodes of second order are in an element, in halves of its edges.
 NODES = HEXAHEDRON_NODES[2]
@@ -51,9 +52,9 @@ def graded(s: np.ndarray, contact: float, extent: float) -> np.ndarray:
 
 def face_nodes(corners: tuple[int, ...]) -> list[tuple[int, int, int]]:
     """The nine nodes of a face in gmsh's order, in halves of edges."""
-    c = NODES[list(corners)]
-    middles = [(c[i] + c[(i + 1) % 4]) // 2 for i in range(4)]
-    return [tuple(p) for p in [*c, *middles, (c[0] + c[2]) // 2]]
+    origin, first, _, second = NODES[list(corners)]
+    return [tuple(origin + (i * (first - origin) + j * (second - origin)) // 2)
+            for i, j in QUADRANGLE_NODES[2]]
 
 
 def block(cells: int, radius: float, contact: float, extent: float,

@@ -39,7 +39,6 @@
 #include "synovia.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 using namespace mfem;

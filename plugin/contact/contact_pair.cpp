@@ -378,6 +378,16 @@ void ContactPair::AddMagnitudes(const Vector &u, const Vector &p,
    operators.jump->AbsMultTranspose(1.0, rows, 1.0, mass);
 }
 
+Vector ContactPair::SoftGapWeights() const
+{
+   Vector weights(gap_weights);
+   for (int j = 0; j < weights.Size(); j++)
+   {
+      weights[j] = std::min(weights[j], operators.area[j] * resistance[j]);
+   }
+   return weights;
+}
+
 bool ContactPair::Converged(real_t peak_pressure) const
 {
    const Diagnostics now = Diagnose();

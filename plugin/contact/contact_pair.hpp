@@ -146,6 +146,8 @@ public:
    /// Weights of the semi-definite terms G^T W G and J^T W_p J.
    const mfem::Vector &GapWeights() const { return gap_weights; }
    const mfem::Vector &JumpWeights() const { return jump_weights; }
+   /// Those of the gaps, but no more than the bodies resist.
+   mfem::Vector SoftGapWeights() const;
 
    /// Whether gap and jump are within tolerance; @a peak_pressure as found on
    /// all ranks. Collective.

@@ -1,7 +1,5 @@
 #include "contact/contact_surface.hpp"
 
-#include <cmath>
-
 namespace synovia
 {
 

@@ -3,6 +3,7 @@
 #include "mfem.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace synovia
 {
@@ -17,5 +18,44 @@ inline int QuadratureOrder(const mfem::FiniteElement &el,
              ? std::min(order, 2 * std::max(el.GetOrder(), trans.Order()) + 1)
              : order;
 }
+
+/// One of MFEM's integrators for H1 spaces, which takes more points than that.
+/// On hexahedra the divergence of a displacement times a constant is exact all
+/// the same, so that a uniform pressure deforms nothing.
+template <typename Integrator>
+class WithFewerPoints : public Integrator
+{
+public:
+   using Integrator::Integrator;
+
+   void AssembleElementMatrix(const mfem::FiniteElement &el,
+                              mfem::ElementTransformation &trans,
+                              mfem::DenseMatrix &elmat) override
+   {
+      SetRule(el, trans);
+      Integrator::AssembleElementMatrix(el, trans, elmat);
+   }
+
+   void AssembleElementMatrix2(const mfem::FiniteElement &trial,
+                               const mfem::FiniteElement &test,
+                               mfem::ElementTransformation &trans,
+                               mfem::DenseMatrix &elmat) override
+   {
+      SetRule(trial, trans);
+      Integrator::AssembleElementMatrix2(trial, test, trans, elmat);
+   }
+
+private:
+   void SetRule(const mfem::FiniteElement &el,
+                const mfem::ElementTransformation &trans)
+   {
+      constexpr int no_limit = std::numeric_limits<int>::max();
+      this->SetIntRule(
+         el.Space() == mfem::FunctionSpace::Qk
+            ? &mfem::IntRules.Get(el.GetGeomType(),
+                                  QuadratureOrder(el, trans, no_limit))
+            : nullptr);
+   }
+};
 
 } // namespace synovia

@@ -2,7 +2,6 @@
 #include "general/reduce.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace synovia
 {

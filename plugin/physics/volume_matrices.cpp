@@ -1,6 +1,7 @@
 #include "physics/volume_matrices.hpp"
 #include "integrators/effective_stress_integrator.hpp"
 #include "integrators/pressure_projection_integrator.hpp"
+#include "integrators/quadrature_order.hpp"
 
 namespace synovia
 {
@@ -28,16 +29,18 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
 
    stiffness =
       Assemble(spaces.Displacement(), new EffectiveStressIntegrator(materials));
-   darcy = Assemble(spaces.Pressure(), new DiffusionIntegrator(permeability));
+   darcy = Assemble(spaces.Pressure(),
+                    new WithFewerPoints<DiffusionIntegrator>(permeability));
    compliance =
-      Assemble(spaces.Pressure(), new MassIntegrator(drained_compliance));
+      Assemble(spaces.Pressure(),
+               new WithFewerPoints<MassIntegrator>(drained_compliance));
    if (spaces.Stabilised())
    {
       stabilisation = Assemble(spaces.Pressure(),
                                new PressureProjectionIntegrator(materials));
    }
    ParMixedBilinearForm form(&spaces.Displacement(), &spaces.Pressure());
-   form.AddDomainIntegrator(new VectorDivergenceIntegrator);
+   form.AddDomainIntegrator(new WithFewerPoints<VectorDivergenceIntegrator>);
    form.Assemble();
    form.Finalize();
    divergence.reset(form.ParallelAssemble());

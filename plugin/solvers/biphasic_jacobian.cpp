@@ -113,6 +113,19 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    }
 }
 
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
+{
+   auto block = std::make_unique<HypreParMatrix>(*matrices.stiffness);
+   for (size_t i = 0; i < pairs.size(); i++)
+   {
+      const auto contact = WeightedSquare(Gap(i), weights[i]);
+      block.reset(Add(1.0, *block, 1.0, *contact));
+   }
+   block->EliminateBC(u_dofs, DIAG_ONE);
+   return block;
+}
+
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::FlowBlock() const
 {
    auto block = std::make_unique<HypreParMatrix>(*matrices.darcy);
@@ -164,13 +177,13 @@ Vector BiphasicJacobian::Holding() const
 std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::AssembleHeld(const Vector &holding) const
 {
-   auto stiffness = std::make_unique<HypreParMatrix>(*matrices.stiffness);
-   for (size_t i = 0; i < pairs.size(); i++)
+   std::vector<Vector> gap_weights;
+   for (const ContactPair *pair : pairs)
    {
-      const auto contact = WeightedSquare(Gap(i), pairs[i]->GapWeights());
-      stiffness.reset(Add(1.0, *stiffness, 1.0, *contact));
+      gap_weights.push_back(pair->GapWeights());
    }
-   stiffness->EliminateBC(u_dofs, DIAG_ONE);
+   const std::unique_ptr<HypreParMatrix> stiffness =
+      DisplacementBlock(gap_weights);
 
    HypreParMatrix divergence(*matrices.divergence);
    delete divergence.EliminateCols(u_dofs);

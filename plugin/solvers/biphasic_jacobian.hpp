@@ -71,6 +71,11 @@ public:
    }
    const VolumeMatrices &Volume() const { return matrices; }
 
+   /// K + sum G^T W G, with the pairs' @a weights W of their gaps, and unit
+   /// rows and columns for the prescribed dofs. Collective.
+   std::unique_ptr<mfem::HypreParMatrix>
+   DisplacementBlock(const std::vector<mfem::Vector> &weights) const;
+
 private:
    /// dt L + S
    std::unique_ptr<mfem::HypreParMatrix> FlowBlock() const;

@@ -10,6 +10,12 @@ namespace synovia
 
 /// Block lower triangular: u = A^-1 r_u, p = -S^-1 (r_p + B u), with filtered
 /// multigrid for A and for the Schur complement S (fixed stress).
+///
+/// The hierarchy for A knows the contact, but with penalties as soft as the
+/// bodies: multigrid likes these, and for what is longer than an element they
+/// are as good as the real ones, so that iterations don't grow with the mesh.
+/// It is built anew when much of the active set has changed since and it has
+/// served a few times as long as building it takes.
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -18,18 +24,27 @@ public:
 
    void ContactMoved() override;
    void Update() override;
-   bool Report(int, bool) override { return false; }
+   bool Report(int iterations, bool converged) override;
    int Patience() const override { return std::numeric_limits<int>::max(); }
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
+   std::vector<mfem::Vector> SoftWeights() const;
+   bool IsOutdated() const;
+   void BuildHierarchy();
    void UpdateDisplacement(bool gaps_changed);
    void UpdatePressure(bool jumps_changed);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    FilteredAmg displacement;
+   std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;
+   /// What the displacement's hierarchy was built with, and the iterations
+   /// that it served.
+   std::vector<mfem::Vector> soft_weights;
+   int served = 0;
+   bool built = false;
    bool moved = true;
    mfem::real_t dt = -1.0;
    /// 1 for the pressures that a pair's jump has to do with, 0 for others.

@@ -158,11 +158,17 @@ void DirectPreconditioner::Factorise()
    extra_solves = 0.0;
    update.Set({}, Vector());
    columns.clear();
-   // The old factors go first: two at once would double the peak of memory.
-   factors.reset();
    holding = jacobian.Holding();
-   factors =
-      MakeDirectSolver(*jacobian.AssembleHeld(holding), MatrixKind::symmetric);
+   const std::unique_ptr<HypreParMatrix> matrix =
+      jacobian.AssembleHeld(holding);
+   if (factors)
+   {
+      factors->SetOperator(*matrix);
+   }
+   else
+   {
+      factors = MakeDirectSolver(*matrix, MatrixKind::symmetric);
+   }
    work.factorisations++;
 }
 

@@ -72,16 +72,32 @@ void MarkNeighbours(const HypreParMatrix &matrix, Array<int> &marker)
       }
    }
 }
+
+void Unmark(const Array<int> &dofs, Array<int> &marker)
+{
+   for (const int dof : dofs)
+   {
+      marker[dof] = 0;
+   }
+}
 } // namespace
 
-FilteredAmg::FilteredAmg(std::unique_ptr<HypreParMatrix> matrix_,
-                         const Array<int> &prescribed_,
-                         std::unique_ptr<HypreBoomerAMG> amg_)
-   : Solver(matrix_->Height()), matrix(std::move(matrix_)),
-     prescribed(prescribed_), amg(std::move(amg_)), residual(height)
+FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
+                         const Array<int> &prescribed_)
+   : Solver(matrix_.Height()), matrix(matrix_), prescribed(prescribed_),
+     residual(height)
 {
+}
+
+void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
+                               std::unique_ptr<HypreBoomerAMG> amg_)
+{
+   // The old ones go first: two at once would double the peak of memory.
+   amg.reset();
+   alike = std::move(alike_);
+   amg = std::move(amg_);
    amg->SetPrintLevel(0);
-   amg->SetOperator(*matrix);
+   amg->SetOperator(*alike);
    // hypre sets up at the first use: now, while it can be timed as set-up.
    residual = 0.0;
    Vector nothing(height);
@@ -109,11 +125,9 @@ FilteredAmg::Touched(int size,
 void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
 {
    Array<int> marker = Touched(height, factors);
-   MarkNeighbours(*matrix, marker);
-   for (const int dof : prescribed)
-   {
-      marker[dof] = 0;
-   }
+   Unmark(prescribed, marker);
+   MarkNeighbours(matrix, marker);
+   Unmark(prescribed, marker);
    contact_dofs.SetSize(0);
    for (int i = 0; i < height; i++)
    {
@@ -125,7 +139,7 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    contact_solver.reset();
    penalties.reset();
    factors_in_contact.clear();
-   has_contact = AnyRank(contact_dofs.Size() > 0, matrix->GetComm());
+   has_contact = AnyRank(contact_dofs.Size() > 0, matrix.GetComm());
    if (!has_contact)
    {
       return;
@@ -134,11 +148,15 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
    small_correction.SetSize(contact_dofs.Size());
    first.SetSize(contact_dofs.Size());
    const std::unique_ptr<HypreParMatrix> injection =
-      Injection(*matrix, contact_dofs);
-   contact_columns.reset(ParMult(matrix.get(), injection.get(), true));
+      Injection(matrix, contact_dofs);
+   contact_columns.reset(ParMult(&matrix, injection.get(), true));
    const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
    matrix_in_contact.reset(
       ParMult(restriction.get(), contact_columns.get(), true));
+   Vector counts(height);
+   counts = 1.0;
+   counts.SetSubVector(prescribed, 0.0);
+   contact_columns->ScaleRows(counts);
    for (const HypreParMatrix *factor : factors)
    {
       factors_in_contact.emplace_back(ParMult(factor, injection.get(), true));
@@ -164,7 +182,14 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
    const std::unique_ptr<HypreParMatrix> whole(
       Add(1.0, *matrix_in_contact, 1.0, *penalties));
    HoldContact(*whole);
-   contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
+   if (contact_solver)
+   {
+      contact_solver->SetOperator(*whole);
+   }
+   else
+   {
+      contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
+   }
    return true;
 }
 

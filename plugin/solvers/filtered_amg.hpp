@@ -8,27 +8,30 @@
 namespace synovia
 {
 
-/// Approximate inverse of A + sum F^T W F that never rebuilds its hierarchy.
+/// Approximate inverse of A + sum F^T W F that seldom rebuilds its hierarchy.
 ///
 /// A is a matrix that multigrid likes, F the gap or jump operator of a contact
-/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up once on
-/// A alone, stands between two exact solves on the dofs that contact touches:
-/// filter, V-cycle, filter, with the residual renewed in between. So neither
-/// the size of the penalty nor a change of the active set spoils the multigrid.
-/// Dofs that contact holds, such as pressures that drain where there is none,
-/// are left to the exact solves in the same way. The idea is AMG with filtering
-/// (Petrides et al. 2025); there the hierarchy is that of the whole matrix and
-/// the order is AMG, filter, AMG.
+/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up on A or
+/// on something like the whole that multigrid likes as well, stands between two
+/// exact solves on the dofs that contact touches: filter, V-cycle, filter, with
+/// the residual renewed in between. So neither the size of the penalty nor a
+/// change of the active set spoils the multigrid. Dofs that contact holds, such
+/// as pressures that drain where there is none, are left to the exact solves in
+/// the same way. The idea is AMG with filtering (Petrides et al. 2025); there
+/// the hierarchy is that of the whole matrix and the order is AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
-   /// Takes @a matrix, A with unit rows and columns for the @a prescribed true
-   /// dofs, and @a amg, set up to choice but not yet with an operator.
-   /// Collective.
-   FilteredAmg(std::unique_ptr<mfem::HypreParMatrix> matrix,
-               const mfem::Array<int> &prescribed,
-               std::unique_ptr<mfem::HypreBoomerAMG> amg);
+   /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
+   /// dofs, ascending, don't count: those have unit rows in the inverse.
+   FilteredAmg(const mfem::HypreParMatrix &matrix,
+               const mfem::Array<int> &prescribed);
 
+   /// Takes @a amg, set up to choice but not yet with an operator, and builds
+   /// its hierarchy on @a alike, which has unit rows and columns for the
+   /// prescribed dofs. Must come first. Collective.
+   void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
+                     std::unique_ptr<mfem::HypreBoomerAMG> amg);
    /// Takes other contact operators F, rows x true dofs. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow. Collective.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
@@ -51,15 +54,17 @@ public:
 private:
    void HoldContact(mfem::HypreParMatrix &in_contact);
 
-   std::unique_ptr<mfem::HypreParMatrix> matrix;
+   const mfem::HypreParMatrix &matrix;
    mfem::Array<int> prescribed;
    mfem::Array<int> held;
+   std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
    mfem::Array<int> contact_dofs;
    /// Of the held dofs, their places among the contact dofs.
    mfem::Array<int> held_in_contact;
    bool has_contact = false;
-   /// A's columns of the contact dofs: their rows as well, as A is symmetric.
+   /// A's columns of the contact dofs, without prescribed rows: the contact's
+   /// rows as well, as A is symmetric.
    std::unique_ptr<mfem::HypreParMatrix> contact_columns;
    /// All on the contact dofs alone: A, the factors, and sum F^T W F.
    std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;

@@ -8,8 +8,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-
 using namespace mfem;
 using namespace synovia;
 
