@@ -33,6 +33,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -109,7 +110,7 @@ def measure(order: int, size: float, folder: pathlib.Path,
                folder / "mesh.log")
     elements = sum(found(r": (\d+) elements", said))
     before, started = os.times(), time.monotonic()
-    said = run([*args.mpirun.split(), "-np", str(args.ranks), args.program,
+    said = run([*shlex.split(args.launcher), str(args.ranks), args.program,
                 "--mesh", mesh, "--output", folder, "--order", str(order),
                 "--rigid", "--scheme", "sdirk33", "--step", f"{args.step:g}",
                 "--fields-every", "0"], folder / "run.out")
@@ -173,16 +174,18 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
                         "time on waiting")
     parser.add_argument("--step", type=float, default=50.0,
                         help="of SDIRK33 (s, default: %(default)s)")
-    parser.add_argument("--mpirun", default="mpirun",
-                        help="with its options (default: %(default)s)")
+    parser.add_argument("--launcher", metavar="COMMAND",
+                        default=os.environ.get("MPIEXEC", "mpirun") + " -n",
+                        help="what comes before the number of ranks "
+                        "(default: $MPIEXEC -n, or mpirun -n)")
     parser.add_argument("--program", type=pathlib.Path,
                         default=ROOT / "build/miniapps/indentation",
                         help="default: build/miniapps/indentation")
     args = parser.parse_args(argv)
     if not args.program.exists():
         parser.error(f"there is no '{args.program}': build it first")
-    if shutil.which(args.mpirun.split()[0]) is None:
-        parser.error(f"there is no '{args.mpirun}'")
+    if shutil.which(shlex.split(args.launcher)[0]) is None:
+        parser.error(f"there is no '{args.launcher}'")
     if not (args.ranks > 0 and args.step > 0):
         parser.error("--ranks and --step must be positive")
     return args

@@ -27,7 +27,7 @@ constexpr int batch = 64;
 // Old factors that need more iterations than this will soon be renewed anyway;
 // sooner if partners changed, which each vertex in contact feels.
 constexpr int stale_patience = 12;
-constexpr int moved_patience = 4;
+constexpr int moved_patience = 8;
 // More make the dense part of the update slower than a solve.
 constexpr int most_columns = 1000;
 

@@ -56,7 +56,7 @@ class PlotAccuracy(unittest.TestCase):
 
     def test_runs_that_are_there_are_tabled_and_drawn_but_not_made(self):
         costs = self.finished(1) + self.finished(2)
-        status, said = run(str(self.out), "--program", __file__, "--mpirun",
+        status, said = run(str(self.out), "--program", __file__, "--launcher",
                            "false", "--orders", "1", "2")
         self.assertEqual(status, 0, said)
         with open(self.out / "accuracy.csv", encoding="utf-8") as stream:
@@ -83,7 +83,7 @@ class PlotAccuracy(unittest.TestCase):
         status, said = run(str(self.out), "--program", "/no/such/program")
         self.assertEqual(status, 2)
         self.assertIn("there is no '/no/such/program'", said)
-        status, said = run(str(self.out), "--program", __file__, "--mpirun",
+        status, said = run(str(self.out), "--program", __file__, "--launcher",
                            "false", "--orders", "3")
         self.assertEqual(status, 1)
         self.assertIn("exit status 1, see", said)
