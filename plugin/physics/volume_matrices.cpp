@@ -46,6 +46,8 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    divergence.reset(form.ParallelAssemble());
    divergence_transpose.reset(divergence->Transpose());
    moduli = FindModuliRatios(spaces.GetMesh(), materials);
+   // The first bit of MeshGenerator() says so, on all ranks the same.
+   tetrahedra = (spaces.GetMesh().MeshGenerator() & 1) != 0;
 }
 
 } // namespace synovia

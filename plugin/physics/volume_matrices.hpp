@@ -29,6 +29,8 @@ struct VolumeMatrices
    /// pressure.
    std::shared_ptr<mfem::HypreParMatrix> compliance;
    ModuliRatios moduli;
+   /// Whether any element of any rank is a tetrahedron.
+   bool tetrahedra = false;
 };
 
 } // namespace synovia
