@@ -116,12 +116,20 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
 {
-   auto block = std::make_unique<HypreParMatrix>(*matrices.stiffness);
+   // What is small is added up first, and what is large copied once.
+   std::unique_ptr<HypreParMatrix> contact;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      const auto contact = WeightedSquare(Gap(i), weights[i]);
-      block.reset(Add(1.0, *block, 1.0, *contact));
+      auto square = WeightedSquare(Gap(i), weights[i]);
+      if (contact)
+      {
+         square.reset(Add(1.0, *contact, 1.0, *square));
+      }
+      contact = std::move(square);
    }
+   std::unique_ptr<HypreParMatrix> block(
+      contact ? Add(1.0, *matrices.stiffness, 1.0, *contact)
+              : new HypreParMatrix(*matrices.stiffness));
    block->EliminateBC(u_dofs, DIAG_ONE);
    return block;
 }

@@ -190,6 +190,7 @@ bool BlockAmgPreconditioner::IsOutdated() const
 void BlockAmgPreconditioner::BuildHierarchy()
 {
    soft_weights = SoftWeights();
+   displacement.ClearHierarchy();
    displacement.SetHierarchy(jacobian.DisplacementBlock(soft_weights),
                              ElasticityAmg(jacobian.Volume()));
    built = true;

@@ -92,8 +92,7 @@ FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
                                std::unique_ptr<HypreBoomerAMG> amg_)
 {
-   // The old ones go first: two at once would double the peak of memory.
-   amg.reset();
+   ClearHierarchy();
    alike = std::move(alike_);
    amg = std::move(amg_);
    amg->SetPrintLevel(0);
@@ -102,6 +101,12 @@ void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
    residual = 0.0;
    Vector nothing(height);
    amg->Mult(residual, nothing);
+}
+
+void FilteredAmg::ClearHierarchy()
+{
+   amg.reset();
+   alike.reset();
 }
 
 void FilteredAmg::SetOperator(const Operator &)

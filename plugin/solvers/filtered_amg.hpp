@@ -30,8 +30,10 @@ public:
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
    /// its hierarchy on @a alike, which has unit rows and columns for the
    /// prescribed dofs. Must come first. Collective.
+   /// ClearHierarchy() before @a alike is made spares memory.
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
                      std::unique_ptr<mfem::HypreBoomerAMG> amg);
+   void ClearHierarchy();
    /// Takes other contact operators F, rows x true dofs. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow. Collective.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
