@@ -9,7 +9,6 @@ DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
    : geometry(spaces.GetMesh().GetBdrElementGeometry(boundary_element)),
      element(spaces.Displacement().GetBE(boundary_element))
 {
-   spaces.GetMesh().GetBdrElementTransformation(boundary_element, &trans);
    Array<int> nodes;
    spaces.Displacement().GetBdrElementDofs(boundary_element, nodes);
    u_dofs.SetSize(3 * nodes.Size());
@@ -22,23 +21,30 @@ DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
    }
    spaces.Pressure().GetBdrElementDofs(boundary_element, p_dofs);
    spaces.Multiplier().GetBdrElementDofs(boundary_element, m_dofs);
-   position_element =
-      trans.GetFE()->GetOrder() > element->GetOrder() ? trans.GetFE() : element;
-   const IntegrationRule &points = position_element->GetNodes();
-   reference_nodes.SetSize(3, points.GetNPoints());
-   interpolation.SetSize(nodes.Size(), points.GetNPoints());
+
+   IsoparametricTransformation trans;
+   spaces.GetMesh().GetBdrElementTransformation(boundary_element, &trans);
+   const FiniteElement &position_element =
+      trans.GetFE()->GetOrder() > element->GetOrder() ? *trans.GetFE()
+                                                      : *element;
+   const IntegrationRule &points = position_element.GetNodes();
+   DenseMatrix positions(3, points.GetNPoints());
+   DenseMatrix interpolation(nodes.Size(), points.GetNPoints());
    for (int i = 0; i < points.GetNPoints(); i++)
    {
       Vector x;
-      reference_nodes.GetColumnReference(i, x);
+      positions.GetColumnReference(i, x);
       trans.Transform(points.IntPoint(i), x);
       Vector column;
       interpolation.GetColumnReference(i, column);
       element->CalcShape(points.IntPoint(i), column);
    }
-   current_nodes = reference_nodes;
-   shape.SetSize(points.GetNPoints());
-   dshape.SetSize(points.GetNPoints(), 2);
+   const DenseMatrix powers = FacePolynomial::PowersFromNodes(position_element);
+   powers_from_displacement.SetSize(nodes.Size(), powers.Width());
+   Mult(interpolation, powers, powers_from_displacement);
+   reference = FacePolynomial(position_element);
+   Mult(positions, powers, reference.Coefficients());
+   current = reference;
 }
 
 void DeformedFace::SetDisplacement(const Vector &u)
@@ -48,73 +54,8 @@ void DeformedFace::SetDisplacement(const Vector &u)
    {
       nodal(i % 3, i / 3) = u[u_dofs[i]];
    }
-   current_nodes = reference_nodes;
-   AddMult(nodal, interpolation, current_nodes);
-}
-
-Point3 DeformedFace::ReferencePoint(const IntegrationPoint &ip) const
-{
-   Point3 x;
-   Vector position(x.data(), 3);
-   trans.Transform(ip, position);
-   return x;
-}
-
-real_t DeformedFace::ReferenceWeight(const IntegrationPoint &ip) const
-{
-   trans.SetIntPoint(&ip);
-   return trans.Weight();
-}
-
-Point3 DeformedFace::CurrentPoint(const IntegrationPoint &ip,
-                                  std::array<Point3, 2> *tangents) const
-{
-   const int nodes = current_nodes.Width();
-   position_element->CalcShape(ip, shape);
-   Point3 x{{0.0, 0.0, 0.0}};
-   for (int k = 0; k < nodes; k++)
-   {
-      for (int d = 0; d < 3; d++)
-      {
-         x[d] += shape[k] * current_nodes(d, k);
-      }
-   }
-   if (tangents)
-   {
-      position_element->CalcDShape(ip, dshape);
-      for (int a = 0; a < 2; a++)
-      {
-         Point3 &tangent = (*tangents)[a];
-         tangent = {0.0, 0.0, 0.0};
-         for (int k = 0; k < nodes; k++)
-         {
-            for (int d = 0; d < 3; d++)
-            {
-               tangent[d] += dshape(k, a) * current_nodes(d, k);
-            }
-         }
-      }
-   }
-   return x;
-}
-
-Point3 DeformedFace::CurrentNormal(const IntegrationPoint &ip) const
-{
-   std::array<Point3, 2> tangents;
-   CurrentPoint(ip, &tangents);
-   const Point3 normal = Cross(tangents[0], tangents[1]);
-   const real_t length = Length(normal);
-   return {normal[0] / length, normal[1] / length, normal[2] / length};
-}
-
-Point3 DeformedFace::ReferenceNormal(const IntegrationPoint &ip) const
-{
-   trans.SetIntPoint(&ip);
-   Point3 normal;
-   Vector direction(normal.data(), 3);
-   CalcOrtho(trans.Jacobian(), direction);
-   direction /= direction.Norml2();
-   return normal;
+   current = reference;
+   AddMult(nodal, powers_from_displacement, current.Coefficients());
 }
 
 Box DeformedFace::CurrentBox() const
@@ -123,12 +64,12 @@ Box DeformedFace::CurrentBox() const
    const IntegrationRule &nodes = element->GetNodes();
    for (int k = 0; k < nodes.GetNPoints(); k++)
    {
-      box.Add(CurrentPoint(nodes.IntPoint(k)));
+      box.Add(Current(nodes.IntPoint(k)).position);
    }
    const IntegrationRule &corners = *Geometries.GetVertices(geometry);
    for (int k = 0; k < corners.GetNPoints(); k++)
    {
-      box.Add(CurrentPoint(corners.IntPoint(k)));
+      box.Add(Current(corners.IntPoint(k)).position);
    }
    box.Inflate(0.1 * box.LongestEdge());
    return box;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/bounding_volume_tree.hpp"
+#include "contact/face_polynomial.hpp"
 #include "physics/biphasic_spaces.hpp"
 
 #include <vector>
@@ -22,24 +23,28 @@ public:
    void SetDisplacement(const mfem::Vector &u);
 
    mfem::Geometry::Type GetGeometry() const { return geometry; }
-   const mfem::FiniteElement &DisplacementElement() const { return *element; }
    /// Local dofs of the face, node by node: x, y, z of node 0, then node 1, ...
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
    const mfem::Array<int> &MultiplierDofs() const { return m_dofs; }
 
-   /// Reference position of a point of the face.
-   Point3 ReferencePoint(const mfem::IntegrationPoint &ip) const;
-   /// Area factor of the reference configuration.
-   mfem::real_t ReferenceWeight(const mfem::IntegrationPoint &ip) const;
-
-   /// Current position, and the two tangents d x / d xi if asked for.
-   Point3 CurrentPoint(const mfem::IntegrationPoint &ip,
-                       std::array<Point3, 2> *tangents = nullptr) const;
-
-   /// Outward unit normals of the two configurations.
-   Point3 CurrentNormal(const mfem::IntegrationPoint &ip) const;
-   Point3 ReferenceNormal(const mfem::IntegrationPoint &ip) const;
+   /// A point of the face in the reference and in the current configuration;
+   /// normals point outwards.
+   SurfacePoint Reference(const mfem::IntegrationPoint &ip) const
+   {
+      return reference(ip.x, ip.y);
+   }
+   SurfacePoint Current(const mfem::IntegrationPoint &ip) const
+   {
+      return current(ip.x, ip.y);
+   }
+   /// Second derivatives of the current position: by xi twice, by both, by eta
+   /// twice.
+   std::array<Point3, 3>
+   CurrentCurvature(const mfem::IntegrationPoint &ip) const
+   {
+      return current.Curvature(ip.x, ip.y);
+   }
 
    /// A box around the current face, with room for its curvature.
    Box CurrentBox() const;
@@ -47,18 +52,13 @@ public:
 private:
    mfem::Geometry::Type geometry;
    const mfem::FiniteElement *element;
-   const mfem::FiniteElement *position_element;
-   // MFEM's transformations keep the last point that they were asked about.
-   mutable mfem::IsoparametricTransformation trans;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    mfem::Array<int> m_dofs;
-   mfem::DenseMatrix reference_nodes;
-   mfem::DenseMatrix current_nodes;
-   // Displacement dofs x nodes: shape functions of the former at the latter.
-   mfem::DenseMatrix interpolation;
-   mutable mfem::Vector shape;
-   mutable mfem::DenseMatrix dshape;
+   FacePolynomial reference;
+   FacePolynomial current;
+   // Displacement dofs x powers of the polynomials.
+   mfem::DenseMatrix powers_from_displacement;
 };
 
 /// The faces of this rank that belong to one side of a contact pair. A rank may

@@ -94,8 +94,8 @@ std::vector<SearchQuery> MakeQueries(const ContactSurface &destination,
       const DeformedFace &face = destination.Faces()[i];
       for (const SegmentPoint &point : segments[i])
       {
-         queries.push_back({face.CurrentPoint(point.ip),
-                            face.ReferenceNormal(point.ip), point.rank,
+         queries.push_back({face.Current(point.ip).position,
+                            face.Reference(point.ip).UnitNormal(), point.rank,
                             point.face});
       }
    }
@@ -172,15 +172,23 @@ private:
 void EvaluateShapes(BiphasicSpaces &spaces, Geometry::Type geometry,
                     const IntegrationPoint &ip, Vector &u, Vector &p, Vector &m)
 {
-   const auto evaluate = [&](ParFiniteElementSpace &space, Vector &shape)
+   const FiniteElement *last = nullptr;
+   const auto evaluate = [&](const ParFiniteElementSpace &space, Vector &shape,
+                             const Vector &before)
    {
       const FiniteElement &element = FaceElement(space, geometry);
+      if (last && last->GetOrder() == element.GetOrder())
+      {
+         shape = before;
+         return;
+      }
       shape.SetSize(element.GetDof());
       element.CalcShape(ip, shape);
+      last = &element;
    };
-   evaluate(spaces.Displacement(), u);
-   evaluate(spaces.Pressure(), p);
-   evaluate(spaces.Multiplier(), m);
+   evaluate(spaces.Displacement(), u, u);
+   evaluate(spaces.Pressure(), p, u);
+   evaluate(spaces.Multiplier(), m, p);
 }
 
 void AddPoint(FaceBlocks &blocks, const Vector &phi, real_t weight,
@@ -234,7 +242,8 @@ void GapAssembler::AddFace(
       }
       const IntegrationPoint &ip = points[q].ip;
       const Point3 &normal = queries[q].normal;
-      const real_t weight = ip.weight * face.ReferenceWeight(ip);
+      const SurfacePoint at = face.Reference(ip);
+      const real_t weight = ip.weight * at.AreaFactor();
       EvaluateShapes(spaces, own.geometry, ip, u_shape, p_shape, m_shape);
       phi = m_shape;
       AddPoint(own_blocks, phi, -weight, normal, u_shape, p_shape, m_shape);
@@ -250,7 +259,7 @@ void GapAssembler::AddFace(
       AddPoint(blocks, phi, weight, normal, u_shape, p_shape, m_shape);
 
       const real_t reference_gap =
-         Dot(normal, Sum(hit.reference, -1.0, face.ReferencePoint(ip)));
+         Dot(normal, Sum(hit.reference, -1.0, at.position));
       for (int j = 0; j < vertices; j++)
       {
          weights[j] += weight * phi[j];
@@ -397,7 +406,7 @@ Vector NodalAreas(const ContactSurface &surface)
       {
          const IntegrationPoint &ip = rule.IntPoint(q);
          element.CalcShape(ip, phi);
-         const real_t weight = ip.weight * face.ReferenceWeight(ip);
+         const real_t weight = ip.weight * face.Reference(ip).AreaFactor();
          for (int j = 0; j < phi.Size(); j++)
          {
             local[face.MultiplierDofs()[j]] += weight * phi[j];

@@ -52,11 +52,11 @@ Facet Outline(const DeformedFace &face)
    {
       const IntegrationPoint &from = vertices.IntPoint(i);
       const IntegrationPoint &to = vertices.IntPoint((i + 1) % edges);
-      const Point3 a = face.CurrentPoint(from);
-      const Point3 b = face.CurrentPoint(to);
+      const Point3 a = face.Current(from).position;
+      const Point3 b = face.Current(to).position;
       IntegrationPoint middle;
       middle.Set2(0.5 * (from.x + to.x), 0.5 * (from.y + to.y));
-      const Point3 m = face.CurrentPoint(middle);
+      const Point3 m = face.Current(middle).position;
       const real_t length = Length(Sum(b, -1.0, a));
       const Point3 bend = Sum(Sum(m, -0.5, a), -0.5, b);
       facet.size = std::max(facet.size, length);
@@ -78,10 +78,10 @@ Box Swept(const DeformedFace &face, real_t radius)
    for (int i = 0; i < vertices.GetNPoints(); i++)
    {
       const IntegrationPoint &ip = vertices.IntPoint(i);
-      const Point3 x = face.CurrentPoint(ip);
-      const Point3 normal = face.CurrentNormal(ip);
-      box.Add(Sum(x, radius, normal));
-      box.Add(Sum(x, -radius, normal));
+      const SurfacePoint at = face.Current(ip);
+      const Point3 normal = at.UnitNormal();
+      box.Add(Sum(at.position, radius, normal));
+      box.Add(Sum(at.position, -radius, normal));
    }
    box.Add(face.CurrentBox());
    return box;
@@ -160,10 +160,9 @@ class Projection
 {
 public:
    explicit Projection(const DeformedFace &face_)
-      : face(face_), centre(Geometries.GetCenter(face.GetGeometry()))
+      : face(face_), centre(Geometries.GetCenter(face.GetGeometry())),
+        middle(face.Current(centre))
    {
-      origin = face.CurrentPoint(centre, &tangents);
-      normal = Cross(tangents[0], tangents[1]);
    }
 
    /// Reference coordinates and signed distance. One point has one image,
@@ -173,32 +172,66 @@ public:
    {
       if (!ProjectOnFace(point, xi, distance))
       {
-         const Point3 d = Sum(point, -1.0, origin);
-         const Point2 step = InPlane(d, tangents, normal);
+         const Point3 d = Sum(point, -1.0, middle.position);
+         const Point2 step = Solve(Metric(middle), d, middle.tangents);
          xi = {centre.x + step[0], centre.y + step[1]};
-         distance = Dot(d, normal) / Length(normal);
+         distance = Dot(d, middle.UnitNormal());
       }
    }
 
 private:
-   /// Coordinates of @a d along the tangents, at right angles to the normal.
-   static Point2 InPlane(const Point3 &d, const std::array<Point3, 2> &t,
-                         const Point3 &n)
+   /// Of a symmetric matrix, by xi twice, by both, by eta twice.
+   using Symmetric2 = std::array<real_t, 3>;
+
+   static Symmetric2 Metric(const SurfacePoint &at)
    {
-      const real_t det = Dot(n, n);
-      return {Dot(Cross(d, t[1]), n) / det, Dot(Cross(t[0], d), n) / det};
+      const std::array<Point3, 2> &t = at.tangents;
+      return {Dot(t[0], t[0]), Dot(t[0], t[1]), Dot(t[1], t[1])};
+   }
+
+   static real_t Determinant(const Symmetric2 &m)
+   {
+      return m[0] * m[2] - m[1] * m[1];
+   }
+
+   /// Half the second derivatives of the squared distance, or, far from the
+   /// nearest point, where they may not be positive, the metric.
+   Symmetric2 Hessian(const IntegrationPoint &ip, const SurfacePoint &at,
+                      const Point3 &d) const
+   {
+      constexpr real_t positive = 0.2;
+      const Symmetric2 metric = Metric(at);
+      const std::array<Point3, 3> second = face.CurrentCurvature(ip);
+      Symmetric2 hessian;
+      for (int i = 0; i < 3; i++)
+      {
+         hessian[i] = metric[i] - Dot(d, second[i]);
+      }
+      const bool usable = hessian[0] > positive * metric[0] &&
+                          Determinant(hessian) > positive * Determinant(metric);
+      return usable ? hessian : metric;
+   }
+
+   static Point2 Solve(const Symmetric2 &m, const Point3 &d,
+                       const std::array<Point3, 2> &t)
+   {
+      const real_t a = Dot(d, t[0]);
+      const real_t b = Dot(d, t[1]);
+      const real_t det = Determinant(m);
+      return {(m[2] * a - m[1] * b) / det, (m[0] * b - m[1] * a) / det};
    }
 
    bool ProjectOnFace(const Point3 &point, Point2 &xi, real_t &distance) const
    {
       constexpr int max_iterations = 30;
+      // Little more than round-off makes where faces are small.
+      constexpr real_t small = 1e-12;
       IntegrationPoint ip = centre;
+      SurfacePoint at = middle;
       for (int i = 0; i < max_iterations; i++)
       {
-         std::array<Point3, 2> t;
-         const Point3 d = Sum(point, -1.0, face.CurrentPoint(ip, &t));
-         const Point3 n = Cross(t[0], t[1]);
-         const Point2 step = InPlane(d, t, n);
+         const Point3 d = Sum(point, -1.0, at.position);
+         const Point2 step = Solve(Hessian(ip, at, d), d, at.tangents);
          ip.x += step[0];
          ip.y += step[1];
          if (std::abs(ip.x - centre.x) > reach_of_map ||
@@ -206,10 +239,11 @@ private:
          {
             return false;
          }
-         if (std::abs(step[0]) + std::abs(step[1]) < 1e-13)
+         at = face.Current(ip);
+         if (std::abs(step[0]) + std::abs(step[1]) < small)
          {
             xi = {ip.x, ip.y};
-            distance = Dot(d, n) / Length(n);
+            distance = Dot(Sum(point, -1.0, at.position), at.UnitNormal());
             return true;
          }
       }
@@ -217,10 +251,8 @@ private:
    }
 
    const DeformedFace &face;
-   IntegrationPoint centre;
-   std::array<Point3, 2> tangents;
-   Point3 origin;
-   Point3 normal;
+   const IntegrationPoint centre;
+   const SurfacePoint middle;
 };
 
 /// The linear function of the plane through the first corner, the one a third

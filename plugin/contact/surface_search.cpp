@@ -47,14 +47,14 @@ bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
    constexpr int max_iterations = 20;
    ip = Geometries.GetCenter(face.GetGeometry());
    distance = 0.0;
-   std::array<Point3, 2> t;
    for (int i = 0; i < max_iterations; i++)
    {
-      const Point3 x = face.CurrentPoint(ip, &t);
+      const SurfacePoint at = face.Current(ip);
+      const std::array<Point3, 2> &t = at.tangents;
       const Point3 residual =
-         Sum(Sum(x, -1.0, query.point), -distance, query.normal);
+         Sum(Sum(at.position, -1.0, query.point), -distance, query.normal);
       // Cramer's rule for [t0 t1 -n] (dxi, deta, ds) = -residual.
-      const Point3 area = Cross(t[0], t[1]);
+      const Point3 area = at.AreaVector();
       const real_t det = -Dot(area, query.normal);
       const real_t scale = Length(area);
       if (std::abs(det) < 1e-10 * scale)
@@ -67,7 +67,8 @@ bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
       ip.x += dxi;
       ip.y += deta;
       distance += ds;
-      if (std::abs(dxi) + std::abs(deta) < 1e-12)
+      // The next step would be as small as the square of this one.
+      if (std::abs(dxi) + std::abs(deta) < 1e-8)
       {
          return true;
       }
@@ -104,7 +105,7 @@ SearchHit SurfaceSearch::HitFace(const SearchQuery &query, int index) const
    real_t distance;
    if (IntersectFace(face, query, ip, distance) &&
        Inside(face.GetGeometry(), ip) && std::abs(distance) <= radius &&
-       Dot(face.CurrentNormal(ip), query.normal) <= facing_cosine)
+       Dot(face.Current(ip).UnitNormal(), query.normal) <= facing_cosine)
    {
       hit.rank = rank;
       hit.face = index;
@@ -133,8 +134,9 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
       const DeformedFace &face = surface.Faces()[best.face];
       IntegrationPoint ip;
       ip.Set2(best.xi, best.eta);
-      best.reference = face.ReferencePoint(ip);
-      best.normal = face.ReferenceNormal(ip);
+      const SurfacePoint at = face.Reference(ip);
+      best.reference = at.position;
+      best.normal = at.UnitNormal();
    }
    return best;
 }

@@ -240,7 +240,8 @@ TEST_CASE("Every quadrature point between surfaces finds its partner")
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
          const IntegrationPoint &ip = rule.IntPoint(q);
-         queries.push_back({face.CurrentPoint(ip), face.ReferenceNormal(ip)});
+         queries.push_back(
+            {face.Current(ip).position, face.Reference(ip).UnitNormal()});
       }
    }
    const std::vector<SearchHit> hits = search.Find(queries);
