@@ -34,6 +34,21 @@ BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
    }
 }
 
+void BiphasicJacobian::SetTimeStep(real_t dt_)
+{
+   if (flow && dt_ == dt)
+   {
+      return;
+   }
+   dt = dt_;
+   flow = std::make_unique<HypreParMatrix>(*matrices.darcy);
+   *flow *= dt;
+   if (matrices.stabilisation)
+   {
+      flow.reset(Add(1.0, *flow, 1.0, *matrices.stabilisation));
+   }
+}
+
 void BiphasicJacobian::ContactMoved()
 {
    reduced_gaps.clear();
@@ -89,11 +104,7 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 
    p_free = x_p;
    p_free.SetSubVector(p_dofs, 0.0);
-   matrices.darcy->Mult(-dt, p_free, 0.0, y_p);
-   if (matrices.stabilisation)
-   {
-      matrices.stabilisation->Mult(-1.0, p_free, 1.0, y_p);
-   }
+   flow->Mult(-1.0, p_free, 0.0, y_p);
    for (const ContactPair *pair : pairs)
    {
       AddContact(*pair->Operators().jump, pair->JumpWeights(), -dt, p_free,
@@ -134,20 +145,10 @@ BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
    return block;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::FlowBlock() const
-{
-   auto block = std::make_unique<HypreParMatrix>(*matrices.darcy);
-   *block *= dt;
-   if (matrices.stabilisation)
-   {
-      block.reset(Add(1.0, *block, 1.0, *matrices.stabilisation));
-   }
-   return block;
-}
-
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
 {
-   std::unique_ptr<HypreParMatrix> block = FlowBlock();
+   std::unique_ptr<HypreParMatrix> block =
+      std::make_unique<HypreParMatrix>(*flow);
    for (const ContactPair *pair : pairs)
    {
       const auto contact =
@@ -164,7 +165,7 @@ BiphasicJacobian::SchurComplement(const Array<int> &dofs) const
    // sideways, and less the freer the body.
    constexpr real_t typical = 0.6;
    std::unique_ptr<HypreParMatrix> schur(
-      Add(1.0, *FlowBlock(), typical, *matrices.compliance));
+      Add(1.0, *flow, typical, *matrices.compliance));
    schur->EliminateBC(dofs, DIAG_ONE);
    return schur;
 }
@@ -175,7 +176,7 @@ Vector BiphasicJacobian::Holding() const
    // contact adds to the diagonal.
    constexpr real_t large = 1e11;
    const std::unique_ptr<HypreParMatrix> schur(
-      Add(1.0, *FlowBlock(), 1.0, *matrices.compliance));
+      Add(1.0, *flow, 1.0, *matrices.compliance));
    Vector holding(schur->Height());
    schur->GetDiag(holding);
    holding *= large;

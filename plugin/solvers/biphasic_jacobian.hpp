@@ -33,7 +33,8 @@ public:
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    void ContactMoved();
 
-   void SetTimeStep(mfem::real_t dt_) { dt = dt_; }
+   /// Collective.
+   void SetTimeStep(mfem::real_t dt);
    mfem::real_t TimeStep() const { return dt; }
    /// Prescribed and free-draining true dofs of the pressure, ascending.
    void SetPressureDofs(const mfem::Array<int> &p_dofs_) { p_dofs = p_dofs_; }
@@ -77,8 +78,6 @@ public:
    DisplacementBlock(const std::vector<mfem::Vector> &weights) const;
 
 private:
-   /// dt L + S
-   std::unique_ptr<mfem::HypreParMatrix> FlowBlock() const;
    /// dt L + S + dt J^T W_p J
    std::unique_ptr<mfem::HypreParMatrix> PressureBlock() const;
    void AddContact(const mfem::HypreParMatrix &factor,
@@ -93,7 +92,9 @@ private:
    const RigidSurfaces *rigid;
    std::vector<std::unique_ptr<mfem::HypreParMatrix>> reduced_gaps;
    mfem::Array<int> p_dofs;
-   mfem::real_t dt = 1.0;
+   mfem::real_t dt = 0.0;
+   /// dt L + S
+   std::unique_ptr<mfem::HypreParMatrix> flow;
    mutable mfem::Vector u_free;
    mutable mfem::Vector p_free;
    mutable mfem::Vector rows;

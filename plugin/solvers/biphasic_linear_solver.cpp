@@ -136,7 +136,6 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
    solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
    solver.SetOperator(scaled);
    solver.SetPreconditioner(scaled_preconditioner);
-   solver.iterative_mode = true;
 
    Vector right_side(b);
    for (int i = pressure_begin; i < b.Size(); i++)
@@ -155,6 +154,8 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
       result.setup_seconds += watch.RealTime();
       solver.SetMaxIter(std::min(preconditioner->Patience(),
                                  options.max_iterations - result.iterations));
+      // A guess of zero need not be multiplied.
+      solver.iterative_mode = result.iterations > 0;
       solver.Mult(right_side, x);
       result.converged = solver.GetConverged();
       result.iterations += solver.GetNumIterations();
