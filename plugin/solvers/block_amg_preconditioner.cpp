@@ -162,7 +162,7 @@ std::vector<Vector> BlockAmgPreconditioner::SoftWeights() const
 bool BlockAmgPreconditioner::IsOutdated() const
 {
    // Building takes as long as 4 to 10 iterations.
-   constexpr int long_enough = 30;
+   constexpr int long_enough = 20;
    constexpr real_t much = 0.2;
    // Surfaces that slide meet other partners without other weights.
    constexpr int long_enough_sliding = 120;
