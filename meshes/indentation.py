@@ -26,8 +26,8 @@ Sample runs:
   python3 meshes/indentation.py -o fine.msh --size 0.55         # 110,000
   python3 meshes/indentation.py -o curved.msh --order 2
   python3 meshes/indentation.py -o swept.msh --hex
-  python3 meshes/indentation.py -o bricks.msh --hex --order 2 --size 1.5 \\
-    --rim 0.0034 --growth 1.2                     # 5,096, for order 1
+  python3 meshes/indentation.py -o bricks.msh --hex --size 1.5 --rim 0.0034 \\
+    --growth 1.2                                  # 5,096, for order 1
 """
 
 from __future__ import annotations
