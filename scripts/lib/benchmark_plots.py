@@ -237,16 +237,24 @@ def ranks_figure(strong: Sweep, weak: Sweep, store: Store):
     figure, (left, middle, right) = plt.subplots(
         1, 3, figsize=(3 * PANEL[0], 1.35 * PANEL[1]))
     for curve, axes in zip(found, (left, middle)):
-        rate = curve.column("dofs_per_second")
-        gain = rate / rate[0] * curve.x[0]
-        ideal = curve.x
+        ideal = per_rank = curve.x
         axes.set_ylabel("speed-up")
         if axes is middle:
-            gain, ideal = gain / curve.x, np.ones(len(curve.x))
+            ideal = np.ones(len(curve.x))
             axes.set_ylabel("efficiency")
-            axes.set_ylim(0, 1.1 * max(1.0, gain.max()))
+            axes.set_ylim(0, 1.2)
+        else:
+            per_rank = np.ones(len(curve.x))
         axes.plot(curve.x, ideal, label="ideal", **style.REFERENCE)
-        axes.plot(curve.x, gain, label="measured", **look(0))
+        # Finer meshes take more of Newton's steps to find the contact, which
+        # says nothing about ranks.
+        iteration = (curve.column("dofs") * curve.column("linear")
+                     / curve.column("seconds_solve"))
+        for i, (label, rate) in enumerate(
+                (("whole run", curve.column("dofs_per_second")),
+                 ("a linear iteration", iteration))):
+            gain = rate / rate[0] * curve.x[0] / per_rank
+            axes.plot(curve.x, gain, label=label, **look(i))
         axes.set_xlabel("ranks")
         set_rank_ticks(axes, list(curve.x))
         axes.legend()
