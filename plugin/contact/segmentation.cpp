@@ -194,18 +194,22 @@ private:
       return m[0] * m[2] - m[1] * m[1];
    }
 
-   /// Half the second derivatives of the squared distance, or, far from the
-   /// nearest point, where they may not be positive, the metric.
+   /// Half the second derivatives of the squared distance as the face's
+   /// curvature makes them, or, where they may not be positive, the metric. How
+   /// the reference coordinates bend in the face has no say: it makes minima
+   /// where none is on the face.
    Symmetric2 Hessian(const IntegrationPoint &ip, const SurfacePoint &at,
                       const Point3 &d) const
    {
       constexpr real_t positive = 0.2;
       const Symmetric2 metric = Metric(at);
       const std::array<Point3, 3> second = face.CurrentCurvature(ip);
+      const Point3 normal = at.UnitNormal();
+      const real_t distance = Dot(d, normal);
       Symmetric2 hessian;
       for (int i = 0; i < 3; i++)
       {
-         hessian[i] = metric[i] - Dot(d, second[i]);
+         hessian[i] = metric[i] - distance * Dot(normal, second[i]);
       }
       const bool usable = hessian[0] > positive * metric[0] &&
                           Determinant(hessian) > positive * Determinant(metric);
