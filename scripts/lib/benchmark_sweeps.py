@@ -64,7 +64,7 @@ FULL = Extent(
     poissons=(0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49), jumps=decades(0, 4),
     penalties=decades(0, 6), without_contact=True)
 QUICK = Extent(
-    base=4, sizes=(3, 4, 6), large=6, each=4,
+    base=4, sizes=(6, 8, 10), large=8, each=4,
     orders=(("hex", 1), ("hex", 2), ("hex", 3), ("tet", 2)),
     steps=(1e-3, 1.0, 1e3), permeabilities=(1e-9, 1e-5, 1e-3, 1e1),
     poissons=(0.0, 0.1, 0.49), jumps=(1.0, 1e2, 1e4),
