@@ -24,8 +24,8 @@ struct SurfacePoint
 };
 
 /// A function on a reference triangle or square, with values in space, as
-/// powers of the distance from the reference element's centre: to evaluate it
-/// and its derivatives takes a tenth of the time that shape functions do.
+/// powers of the distance from the reference element's centre: it and its
+/// derivatives are evaluated faster than shape functions are.
 class FacePolynomial
 {
 public:

@@ -172,6 +172,7 @@ private:
 void EvaluateShapes(BiphasicSpaces &spaces, Geometry::Type geometry,
                     const IntegrationPoint &ip, Vector &u, Vector &p, Vector &m)
 {
+   // Spaces of one order have the same shape functions.
    const FiniteElement *last = nullptr;
    const auto evaluate = [&](const ParFiniteElementSpace &space, Vector &shape,
                              const Vector &before)
