@@ -15,11 +15,22 @@ struct SurfacePoint
    Point3 AreaVector() const { return Cross(tangents[0], tangents[1]); }
    /// Area per area of the reference element.
    mfem::real_t AreaFactor() const { return Length(AreaVector()); }
+   /// Exactly along an axis if it is but for round-off, which would couple all
+   /// components of contact and make factors a fifth larger.
    Point3 UnitNormal() const
    {
-      const Point3 area = AreaVector();
-      const mfem::real_t length = Length(area);
-      return {area[0] / length, area[1] / length, area[2] / length};
+      constexpr mfem::real_t round_off = 1e-11;
+      Point3 normal = AreaVector();
+      const mfem::real_t length = Length(normal);
+      for (mfem::real_t &component : normal)
+      {
+         component /= length;
+         if (std::abs(component) < round_off)
+         {
+            component = 0.0;
+         }
+      }
+      return normal;
    }
 };
 

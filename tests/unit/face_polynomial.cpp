@@ -125,3 +125,28 @@ TEST_CASE("A face's second derivatives are differences of its tangents")
       CHECK(off(second[2], up.tangents[1], down.tangents[1]) < 1e-4);
    }
 }
+
+TEST_CASE("Normals of level faces have no round-off")
+{
+   const H1_FECollection collection(2, 2);
+   const FiniteElement &element =
+      *collection.FiniteElementForGeometry(Geometry::SQUARE);
+   DenseMatrix nodes(3, element.GetDof());
+   for (int k = 0; k < nodes.Width(); k++)
+   {
+      const IntegrationPoint &ip = element.GetNodes().IntPoint(k);
+      nodes(0, k) = 2.7 + 0.013 * ip.x + 0.002 * ip.x * ip.y;
+      nodes(1, k) = 0.1 + 0.011 * ip.y;
+      nodes(2, k) = 0.75;
+   }
+   FacePolynomial polynomial(element);
+   Mult(nodes, FacePolynomial::PowersFromNodes(element),
+        polynomial.Coefficients());
+   for (const real_t xi : {0.1, 0.4, 0.9})
+   {
+      const Point3 normal = polynomial(xi, 0.3).UnitNormal();
+      CHECK(normal[0] == 0.0);
+      CHECK(normal[1] == 0.0);
+      CHECK(std::abs(normal[2] - 1.0) < 1e-15);
+   }
+}
