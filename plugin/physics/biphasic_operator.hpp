@@ -21,7 +21,7 @@ struct NonlinearOptions
    /// Relative accuracy of a linear solve that suffices to see whether the
    /// active set changes; a set that doesn't is then solved to the end. 0
    /// solves every system to the end at once.
-   mfem::real_t active_set_tolerance = 1e-3;
+   mfem::real_t active_set_tolerance = 1e-4;
    LinearOptions linear;
 };
 

@@ -112,7 +112,7 @@ def solver_sweep(extent: Extent) -> Sweep:
     set changes."""
     points = tuple(
         Point(solver, size, Run(size=size, solver=solver,
-                                active_set_tolerance=1e-3, steps=4))
+                                active_set_tolerance=1e-4, steps=4))
         for solver in ("block_amg", "direct") for size in extent.sizes)
     return Sweep("solver", "unknowns", points, measured_by="dofs")
 

@@ -70,13 +70,11 @@ def check_contact(rows: list[dict[str, float]]) -> None:
 
 
 def check_supports(rows: list[dict[str, float]]) -> None:
-    # The first touch bears little beside what its step moves.
-    little = 1e-3 * max(abs(row[REACTION]) for row in rows)
     for row in rows:
         joint = sum(row[f"contact.{pair}.source_force_z"] for pair in PAIRS
                     if "femur" in pair)
         balance = abs(row[REACTION] + joint)
-        check(balance <= 1e-6 * max(abs(joint), little),
+        check(balance <= 1e-6 * max(abs(joint), 1e-3),
               f"{row['t']:g} s: the femur is in balance to {balance:.1e} N")
     loaded = next(row for row in rows if abs(row["t"] - 100) < 1e-6)
     for horn in HORNS:

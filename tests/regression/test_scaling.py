@@ -90,13 +90,12 @@ def check_orders(run: Runs) -> None:
             check(row["dofs"] == unknowns(order),
                   f"order {order}: {row['dofs']:.0f} unknowns")
             check(row["cells"] == SIZE ** 2 * 2 + UPPER ** 2, "cells")
-            setups = row["setups"]
-            if solver == "block_amg":
-                check(2 <= setups < 0.7 * row["newton"],
-                      f"{setups:.0f} hierarchies for pressures and "
-                      f"displacements in {row['newton']:.0f} iterations")
-            else:
-                check(setups == 0, "no hierarchies")
+            # Systems of order 3 take more iterations than a hierarchy has to
+            # serve before it may follow the contact.
+            most = 0 if solver == "direct" else 5 if order == 3 else 3
+            check(min(2, most) <= row["setups"] <= most,
+                  "one hierarchy for pressures, one or two for displacements, "
+                  "up to four with order 3")
             forces.append(row["force"])
             if solver == "direct":
                 check(row["factorisations"] == 1, "one factorisation")
