@@ -58,9 +58,9 @@ private:
 // MFEM by itself collects entries in linked lists, which takes twice the memory
 // and a sixth more time.
 std::unique_ptr<HypreParMatrix> Assemble(ParFiniteElementSpace &space,
+                                         Sparsity &sparsity,
                                          BilinearFormIntegrator *integrator)
 {
-   Sparsity sparsity(space);
    ParBilinearForm form(&space);
    form.AddDomainIntegrator(integrator);
    sparsity.ApplyTo(form);
@@ -76,16 +76,20 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    PermeabilityCoefficient permeability(materials);
    ComplianceCoefficient drained_compliance(materials);
 
-   stiffness =
-      Assemble(spaces.Displacement(), new EffectiveStressIntegrator(materials));
-   darcy = Assemble(spaces.Pressure(),
+   {
+      Sparsity sparsity(spaces.Displacement());
+      stiffness = Assemble(spaces.Displacement(), sparsity,
+                           new EffectiveStressIntegrator(materials));
+   }
+   Sparsity sparsity(spaces.Pressure());
+   darcy = Assemble(spaces.Pressure(), sparsity,
                     new WithFewerPoints<DiffusionIntegrator>(permeability));
    compliance =
-      Assemble(spaces.Pressure(),
+      Assemble(spaces.Pressure(), sparsity,
                new WithFewerPoints<MassIntegrator>(drained_compliance));
    if (spaces.Stabilised())
    {
-      stabilisation = Assemble(spaces.Pressure(),
+      stabilisation = Assemble(spaces.Pressure(), sparsity,
                                new PressureProjectionIntegrator(materials));
    }
    ParMixedBilinearForm form(&spaces.Displacement(), &spaces.Pressure());

@@ -15,6 +15,17 @@ std::unique_ptr<HypreParMatrix> WeightedSquare(const HypreParMatrix &factor,
       ParMult(transpose.get(), &scaled, true));
 }
 
+void AddWeightedSquare(const HypreParMatrix &factor, const Vector &weights,
+                       std::unique_ptr<HypreParMatrix> &sum)
+{
+   auto square = WeightedSquare(factor, weights);
+   if (sum)
+   {
+      square.reset(Add(1.0, *sum, 1.0, *square));
+   }
+   sum = std::move(square);
+}
+
 BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
                                    const Array<int> &offsets_,
                                    const Array<int> &u_dofs_,
@@ -131,12 +142,7 @@ BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
    std::unique_ptr<HypreParMatrix> contact;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      auto square = WeightedSquare(Gap(i), weights[i]);
-      if (contact)
-      {
-         square.reset(Add(1.0, *contact, 1.0, *square));
-      }
-      contact = std::move(square);
+      AddWeightedSquare(Gap(i), weights[i], contact);
    }
    std::unique_ptr<HypreParMatrix> block(
       contact ? Add(1.0, *matrices.stiffness, 1.0, *contact)

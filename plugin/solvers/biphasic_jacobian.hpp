@@ -105,4 +105,9 @@ private:
 std::unique_ptr<mfem::HypreParMatrix>
 WeightedSquare(const mfem::HypreParMatrix &factor, const mfem::Vector &weights);
 
+/// Adds factor^T diag(weights) factor to @a sum, null at first. Collective.
+void AddWeightedSquare(const mfem::HypreParMatrix &factor,
+                       const mfem::Vector &weights,
+                       std::unique_ptr<mfem::HypreParMatrix> &sum);
+
 } // namespace synovia

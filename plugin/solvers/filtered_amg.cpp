@@ -177,12 +177,7 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
    penalties.reset();
    for (size_t i = 0; i < factors_in_contact.size(); i++)
    {
-      auto square = WeightedSquare(*factors_in_contact[i], weights[i]);
-      if (penalties)
-      {
-         square.reset(Add(1.0, *penalties, 1.0, *square));
-      }
-      penalties = std::move(square);
+      AddWeightedSquare(*factors_in_contact[i], weights[i], penalties);
    }
    const std::unique_ptr<HypreParMatrix> whole(
       Add(1.0, *matrix_in_contact, 1.0, *penalties));
