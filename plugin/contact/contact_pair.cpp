@@ -65,6 +65,7 @@ Vector NodePositions(ParFiniteElementSpace &space)
    position.ProjectCoefficient(identity);
    Vector true_dofs;
    position.GetTrueDofs(true_dofs);
+   true_dofs.HostReadWrite();
    return true_dofs;
 }
 } // namespace
@@ -163,6 +164,7 @@ bool ContactPair::Search(const Vector &u)
    }
    if (options.configuration == SearchConfiguration::current)
    {
+      u.HostRead();
       source.SetDisplacement(u);
       destination.SetDisplacement(u);
       add(reference_positions, u, searched_positions);
@@ -258,6 +260,7 @@ void ContactPair::Evaluate(const Vector &u, const Vector &p)
 {
    operators.gap->Mult(u, gap);
    operators.jump->Mult(p, jump);
+   p.HostRead();
    Vector destination_pressure(p.Size());
    destination_pressure = 0.0;
    for (const int dof : destination.PressureTrueDofs())
@@ -265,6 +268,9 @@ void ContactPair::Evaluate(const Vector &u, const Vector &p)
       destination_pressure[dof] = -p[dof];
    }
    operators.jump->Mult(destination_pressure, pressure);
+   gap.HostReadWrite();
+   jump.HostRead();
+   pressure.HostRead();
    for (int j = 0; j < gap.Size(); j++)
    {
       gap[j] += operators.gap_offset[j] +
@@ -339,6 +345,7 @@ Vector ContactPair::SealedVertices() const
 {
    Vector covered(sealing.Size());
    operators.coverage->Mult(sealing, covered);
+   covered.HostReadWrite();
    for (int k = 0; k < covered.Size(); k++)
    {
       const bool sealed =

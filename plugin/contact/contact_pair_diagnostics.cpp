@@ -71,6 +71,8 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
    momentum = 0.0;
    mass = 0.0;
    AddForces(momentum, mass);
+   momentum.HostRead();
+   searched_positions.HostRead();
    const Array<int> &source_dofs = source.DisplacementTrueDofs();
    const Array<int> &destination_dofs = destination.DisplacementTrueDofs();
    result.source_force = SumOfDofs(momentum, source_dofs, comm);

@@ -102,6 +102,7 @@ void ContactSurface::SetDisplacement(const Vector &u)
 {
    ParGridFunction field(&spaces.Displacement());
    field.SetFromTrueDofs(u);
+   field.HostRead();
    for (DeformedFace &face : faces)
    {
       face.SetDisplacement(field);

@@ -25,6 +25,9 @@ Vector SumShared(ParFiniteElementSpace &space, const Vector &local)
 {
    Vector result(space.GetTrueVSize());
    space.GetProlongationMatrix()->MultTranspose(local, result);
+   // What belongs to a contact is evaluated on the host.
+   result.HostReadWrite();
+   result.UseDevice(false);
    return result;
 }
 

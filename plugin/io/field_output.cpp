@@ -64,6 +64,7 @@ private:
    void Transfer(const Vector &true_dofs, ParGridFunction &field)
    {
       parent.SetFromTrueDofs(true_dofs);
+      parent.HostRead();
       surface.Transfer(parent, field);
    }
 
@@ -109,6 +110,7 @@ void FieldOutput::Update()
 {
    stress.Update(stepper.Displacement(), stepper.Pressure());
    velocity.SetFromTrueDofs(stepper.Velocity());
+   velocity.HostRead();
    RelativeFlux coefficient(stepper.Pressure(), problem.Materials());
    flux.ProjectDiscCoefficient(coefficient, GridFunction::ARITHMETIC);
 }

@@ -40,6 +40,9 @@ void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
    }
    mass.Add(stage.dt, exchange);
    mass.Add(-stage.dt, stage.mass_load);
+   // Sums over supports and drained surfaces are taken on the host.
+   momentum.HostReadWrite();
+   mass.HostReadWrite();
 }
 
 void BiphasicOperator::ComputeResidual(const Stage &stage,
@@ -51,6 +54,7 @@ void BiphasicOperator::ComputeResidual(const Stage &stage,
    rigid.Collect(residual.GetBlock(0));
    rigid.AddForces(stage.time, residual.GetBlock(0));
    residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
+   residual.SyncFromBlocks();
 }
 
 Vector BiphasicOperator::FindRelief(const Stage &stage) const

@@ -114,22 +114,28 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    stage.time = GetTime();
    stage.u0.SetSize(nu);
    stage.p0.SetSize(np);
+   const real_t *start = x.HostRead();
    for (int i = 0; i < nu; i++)
    {
-      stage.u0[i] = x[i];
+      stage.u0[i] = start[i];
    }
    for (int i = 0; i < np; i++)
    {
-      stage.p0[i] = x[nu + i];
+      stage.p0[i] = start[nu + i];
    }
    SolveStage(stage);
+   for (const Vector *values : {&stage.u, &stage.u0, &stage.p, &stage.p0})
+   {
+      values->HostRead();
+   }
+   real_t *slope = k.HostWrite();
    for (int i = 0; i < nu; i++)
    {
-      k[i] = (stage.u[i] - stage.u0[i]) / dt;
+      slope[i] = (stage.u[i] - stage.u0[i]) / dt;
    }
    for (int i = 0; i < np; i++)
    {
-      k[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
+      slope[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
    }
    rate = k;
    rate_dt = dt;
@@ -269,6 +275,7 @@ void BiphasicOperator::Drain(Stage &stage)
       {
          sealed_pressure = sealed;
       }
+      sealed_pressure.HostRead();
       for (const int dof : contact_pressure_dofs)
       {
          // A dof between vertices is sealed where all of them are.
@@ -295,6 +302,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    const int nu = stage.u0.Size();
    stage.u = stage.u0;
    stage.p = stage.p0;
+   rate.HostRead();
    for (int i = 0; i < nu; i++)
    {
       stage.u[i] += stage.dt * rate[i];
@@ -409,6 +417,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       watch.Start();
       const BiphasicLinearSolver::Result result =
          linear->Solve(residual, step, tolerance, target);
+      step.SyncToBlocks();
       times.setup += result.setup_seconds;
       times.linear += watch.RealTime() - result.setup_seconds;
       report.newton++;

@@ -209,7 +209,7 @@ BiphasicOperator &BiphasicProblem::Operator()
 
 Point3 BiphasicProblem::Reaction(const Support &support)
 {
-   const Vector &forces = Operator().SupportForces();
+   const real_t *forces = Operator().SupportForces().HostRead();
    Array<int> marker(mesh.Get().bdr_attributes.Max());
    marker = 0;
    for (const int attribute : mesh.Boundary(support.boundary))

@@ -15,6 +15,7 @@ void AssembleInto(ParLinearForm &form, Vector &load)
    form.Assemble();
    load.SetSize(form.ParFESpace()->GetTrueVSize());
    form.ParallelAssemble(load);
+   load.HostReadWrite();
 }
 } // namespace
 
@@ -220,6 +221,7 @@ void BoundaryConditions::SetDisplacement(real_t t, Vector &u)
       field.ProjectBdrCoefficient(*value.vector, value.marker);
       Vector true_dofs;
       field.GetTrueDofs(true_dofs);
+      true_dofs.HostRead();
       for (const int dof : value.dofs)
       {
          u[dof] = true_dofs[dof];
@@ -241,6 +243,7 @@ void BoundaryConditions::SetPressure(real_t t, Vector &p)
       field.ProjectBdrCoefficient(*value.scalar, value.marker);
       Vector true_dofs;
       field.GetTrueDofs(true_dofs);
+      true_dofs.HostRead();
       for (const int dof : value.dofs)
       {
          p[dof] = true_dofs[dof];

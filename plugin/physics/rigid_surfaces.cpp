@@ -151,6 +151,7 @@ void RigidSurfaces::Distribute(Vector &w) const
    {
       const Vector reduced(w);
       distribution->Mult(reduced, w);
+      w.HostReadWrite();
    }
 }
 
@@ -160,6 +161,7 @@ void RigidSurfaces::Collect(Vector &f) const
    {
       const Vector whole(f);
       distribution->MultTranspose(whole, f);
+      f.HostReadWrite();
    }
 }
 

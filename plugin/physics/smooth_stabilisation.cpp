@@ -70,6 +70,7 @@ void SmoothStabilisation::Mult(const Vector &p, Vector &y) const
    const Operator &prolongation = *space.GetProlongationMatrix();
    Vector values(space.GetVSize());
    prolongation.Mult(p, values);
+   values.HostRead();
    std::vector<Point3> gradients(elements.size());
    Vector at_dofs;
    for (size_t e = 0; e < elements.size(); e++)
@@ -111,6 +112,7 @@ void SmoothStabilisation::Mult(const Vector &p, Vector &y) const
    }
    y.SetSize(space.GetTrueVSize());
    prolongation.MultTranspose(local, y);
+   y.HostReadWrite();
 }
 
 } // namespace synovia

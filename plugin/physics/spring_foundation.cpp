@@ -90,6 +90,7 @@ Point3 SpringFoundation::Force(const Vector &u) const
 {
    Vector force(matrix->Height());
    matrix->Mult(-1.0, u, 0.0, force);
+   force.HostRead();
    Point3 sum{{0.0, 0.0, 0.0}};
    for (int i = 0; i < force.Size(); i++)
    {

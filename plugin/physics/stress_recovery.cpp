@@ -18,6 +18,7 @@ void SumOverRanks(const ParFiniteElementSpace &space, Vector &dofs)
    Vector true_dofs(space.GetTrueVSize());
    prolongation.MultTranspose(dofs, true_dofs);
    prolongation.Mult(true_dofs, dofs);
+   dofs.HostReadWrite();
 }
 
 /// Voigt strain with engineering shear.
@@ -157,6 +158,7 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
    Average(effective);
    Average(total);
 
+   principal.HostWrite();
    DenseMatrix tensor(3);
    const int nodes = tensors.GetNDofs();
    for (int i = 0; i < nodes; i++)

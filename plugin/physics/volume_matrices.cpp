@@ -29,30 +29,33 @@ public:
 
       const int dim = space.GetVDim();
       const int nonzeros = dim * dim * neighbours.Size_of_connections();
-      begins.Reserve(space.GetVSize() + 1);
-      columns.Reserve(nonzeros);
+      begins.reserve(space.GetVSize() + 1);
+      columns.reserve(nonzeros);
       for (int dof = 0; dof < space.GetNDofs(); dof++)
       {
          for (int row = 0; row < dim; row++)
          {
-            begins.Append(columns.Size());
+            begins.push_back(static_cast<int>(columns.size()));
             for (int k = 0; k < neighbours.RowSize(dof); k++)
             {
                for (int d = 0; d < dim; d++)
                {
-                  columns.Append(dim * neighbours.GetRow(dof)[k] + d);
+                  columns.push_back(dim * neighbours.GetRow(dof)[k] + d);
                }
             }
          }
       }
-      begins.Append(columns.Size());
+      begins.push_back(static_cast<int>(columns.size()));
    }
    /// Outlives the form's matrix.
-   void ApplyTo(BilinearForm &form) { form.UseSparsity(begins, columns, true); }
+   void ApplyTo(BilinearForm &form)
+   {
+      form.UseSparsity(begins.data(), columns.data(), true);
+   }
 
 private:
-   Array<int> begins;
-   Array<int> columns;
+   std::vector<int> begins;
+   std::vector<int> columns;
 };
 
 // MFEM by itself collects entries in linked lists, which takes twice the memory

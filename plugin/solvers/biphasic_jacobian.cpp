@@ -93,10 +93,7 @@ void BiphasicJacobian::MultDisplacement(const Vector &x, Vector &y) const
    {
       AddContact(Gap(i), pairs[i]->GapWeights(), 1.0, u_free, y);
    }
-   for (const int dof : u_dofs)
-   {
-      y[dof] = x[dof];
-   }
+   CopyEntries(u_dofs, x, y);
 }
 
 void BiphasicJacobian::AddDivergence(const Vector &x, Vector &y) const
@@ -106,10 +103,12 @@ void BiphasicJacobian::AddDivergence(const Vector &x, Vector &y) const
 
 void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 {
+   x.Read();
    const Vector x_u(const_cast<Vector &>(x), offsets[0],
                     offsets[1] - offsets[0]);
    const Vector x_p(const_cast<Vector &>(x), offsets[1],
                     offsets[2] - offsets[1]);
+   y.Write();
    Vector y_u(y, offsets[0], x_u.Size());
    Vector y_p(y, offsets[1], x_p.Size());
 
@@ -125,14 +124,10 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    MultDisplacement(x_u, y_u);
    matrices.divergence->Mult(-1.0, u_free, 1.0, y_p);
    matrices.divergence_transpose->Mult(-1.0, p_free, 1.0, y_u);
-   for (const int dof : u_dofs)
-   {
-      y_u[dof] = x_u[dof];
-   }
-   for (const int dof : p_dofs)
-   {
-      y_p[dof] = x_p[dof];
-   }
+   CopyEntries(u_dofs, x_u, y_u);
+   CopyEntries(p_dofs, x_p, y_p);
+   y_u.SyncAliasMemory(y);
+   y_p.SyncAliasMemory(y);
 }
 
 std::unique_ptr<HypreParMatrix>
@@ -206,7 +201,7 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
    const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
    SparseMatrix diagonal;
    pressure->GetDiag(diagonal);
-   for (const int dof : p_dofs)
+   for (const int dof : OnHost(p_dofs))
    {
       diagonal.Add(dof, dof, holding[dof]);
    }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/contact_pair.hpp"
+#include "general/vector_entries.hpp"
 #include "physics/rigid_surfaces.hpp"
 
 #include <vector>
@@ -61,8 +62,8 @@ public:
    AssembleHeld(const mfem::Vector &holding) const;
 
    const mfem::Array<int> &Offsets() const { return offsets; }
-   const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
-   const mfem::Array<int> &PressureDofs() const { return p_dofs; }
+   const mfem::Array<int> &DisplacementDofs() const { return OnHost(u_dofs); }
+   const mfem::Array<int> &PressureDofs() const { return OnHost(p_dofs); }
    const ContactPairs &Pairs() const { return pairs; }
    /// Gap operator G of a pair, for reduced displacements.
    const mfem::HypreParMatrix &Gap(std::size_t pair) const

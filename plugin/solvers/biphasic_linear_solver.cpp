@@ -1,5 +1,6 @@
 #include "solvers/biphasic_linear_solver.hpp"
 #include "general/reduce.hpp"
+#include "general/vector_entries.hpp"
 #include "solvers/block_amg_preconditioner.hpp"
 #include "solvers/direct_preconditioner.hpp"
 
@@ -25,19 +26,12 @@ public:
    void Mult(const Vector &x, Vector &y) const override
    {
       scaled = x;
-      Scale(scaled);
+      ScaleFrom(pressure_begin, factor, scaled);
       inner.Mult(scaled, y);
-      Scale(y);
+      ScaleFrom(pressure_begin, factor, y);
    }
 
 private:
-   void Scale(Vector &x) const
-   {
-      for (int i = pressure_begin; i < x.Size(); i++)
-      {
-         x[i] *= factor;
-      }
-   }
    const Operator &inner;
    int pressure_begin;
    real_t factor;
@@ -108,6 +102,7 @@ BiphasicLinearSolver::~BiphasicLinearSolver() = default;
 real_t BiphasicLinearSolver::Norm(const Vector &residual,
                                   const ResidualTolerance &tolerance) const
 {
+   residual.HostRead();
    real_t sum = 0.0;
    for (int i = 0; i < residual.Size(); i++)
    {
@@ -138,10 +133,7 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
    solver.SetPreconditioner(scaled_preconditioner);
 
    Vector right_side(b);
-   for (int i = pressure_begin; i < b.Size(); i++)
-   {
-      right_side[i] *= pressure_scale;
-   }
+   ScaleFrom(pressure_begin, pressure_scale, right_side);
    x = 0.0;
    Result result;
    bool again = true;
@@ -162,10 +154,9 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
       again =
          preconditioner->Report(solver.GetNumIterations(), result.converged);
    }
-   for (int i = pressure_begin; i < x.Size(); i++)
-   {
-      x[i] *= pressure_scale;
-   }
+   ScaleFrom(pressure_begin, pressure_scale, x);
+   // Contact and loads are evaluated on the host.
+   x.HostReadWrite();
    return result;
 }
 

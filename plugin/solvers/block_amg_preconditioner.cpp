@@ -1,5 +1,6 @@
 #include "solvers/block_amg_preconditioner.hpp"
 #include "general/reduce.hpp"
+#include "general/vector_entries.hpp"
 
 #include <cmath>
 
@@ -274,6 +275,8 @@ void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
    const Array<int> &offsets = jacobian.Offsets();
    const int nu = offsets[1];
    const int np = offsets[2] - nu;
+   x.Read();
+   y.Write();
    const Vector x_u(const_cast<Vector &>(x), 0, nu);
    const Vector x_p(const_cast<Vector &>(x), nu, np);
    Vector y_u(y, 0, nu);
@@ -285,11 +288,10 @@ void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
    residual = x_p;
    jacobian.AddDivergence(u_free, residual);
    residual.Neg();
-   for (const int dof : jacobian.PressureDofs())
-   {
-      residual[dof] = x_p[dof];
-   }
+   CopyEntries(jacobian.PressureDofs(), x_p, residual);
    pressure->Mult(residual, y_p);
+   y_u.SyncAliasMemory(y);
+   y_p.SyncAliasMemory(y);
 }
 
 } // namespace synovia

@@ -117,7 +117,7 @@ DirectPreconditioner::FindChanges() const
          }
       }
    };
-   add_missing(jacobian.PressureDofs(), p_dofs, -1.0);
+   add_missing(jacobian.PressureDofs(), OnHost(p_dofs), -1.0);
    add_missing(p_dofs, jacobian.PressureDofs(), 1.0);
 
    int ranks = 1;
@@ -316,16 +316,20 @@ bool DirectPreconditioner::Report(int iterations, bool converged)
 void DirectPreconditioner::Mult(const Vector &x, Vector &y) const
 {
    const int begin = jacobian.Offsets()[1];
+   // Factors and their update are on the host.
    right_side = x;
+   right_side.HostReadWrite();
    for (const int dof : jacobian.PressureDofs())
    {
       right_side[begin + dof] = 0.0;
    }
    factors->Mult(right_side, y);
    update.Correct(y);
+   const real_t *from = x.HostRead();
+   real_t *to = y.HostReadWrite();
    for (const int dof : jacobian.PressureDofs())
    {
-      y[begin + dof] = x[begin + dof];
+      to[begin + dof] = from[begin + dof];
    }
 }
 

@@ -1,5 +1,6 @@
 #include "solvers/filtered_amg.hpp"
 #include "general/reduce.hpp"
+#include "general/vector_entries.hpp"
 #include "solvers/biphasic_jacobian.hpp"
 #include "solvers/direct_solver.hpp"
 
@@ -44,6 +45,7 @@ void MarkColumns(const HypreParMatrix &matrix, Array<int> &marker)
    Vector weight(matrix.Width());
    // |entries| can't cancel.
    matrix.AbsMultTranspose(1.0, ones, 0.0, weight);
+   weight.HostRead();
    for (int i = 0; i < weight.Size(); i++)
    {
       // Normals along an axis leave round-off in the other components.
@@ -64,6 +66,7 @@ void MarkNeighbours(const HypreParMatrix &matrix, Array<int> &marker)
    }
    Vector weight(matrix.Height());
    matrix.AbsMult(1.0, marked, 0.0, weight);
+   weight.HostRead();
    for (int i = 0; i < weight.Size(); i++)
    {
       if (weight[i] > 0.0)
@@ -196,7 +199,7 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
 void FilteredAmg::HoldContact(HypreParMatrix &in_contact)
 {
    held_in_contact.SetSize(0);
-   for (const int dof : held)
+   for (const int dof : OnHost(held))
    {
       const int place = contact_dofs.FindSorted(dof);
       MFEM_VERIFY(place >= 0 || prescribed.FindSorted(dof) >= 0,
@@ -237,10 +240,7 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
    contact_solver->Mult(small_residual, small_correction);
    small_correction += first;
    y.AddElementVector(contact_dofs, small_correction);
-   for (const int dof : held)
-   {
-      y[dof] = x[dof];
-   }
+   CopyEntries(held, x, y);
 }
 
 } // namespace synovia

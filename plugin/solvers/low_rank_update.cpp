@@ -9,10 +9,11 @@ using namespace mfem;
 
 real_t LowRankUpdate::Column::Times(const Vector &x) const
 {
+   const real_t *values = x.HostRead();
    real_t sum = 0.0;
    for (std::size_t i = 0; i < dofs.size(); i++)
    {
-      sum += entries[i] * x[dofs[i]];
+      sum += entries[i] * values[dofs[i]];
    }
    return sum;
 }

@@ -82,6 +82,15 @@ TimeOptions Checked(const TimeOptions &given)
    return options;
 }
 
+// Before the whole is read, of which parts may have been on the device.
+void ReadOnHost(const BlockVector &state)
+{
+   for (int i = 0; i < state.NumBlocks(); i++)
+   {
+      state.GetBlock(i).HostRead();
+   }
+}
+
 StepLimits Limits(const TimeOptions &options)
 {
    StepLimits limits;
@@ -208,6 +217,7 @@ void TimeStepper::Solve(real_t t, real_t dt, BlockVector &x)
 {
    recorder.Clear();
    solver->Step(x, t, dt);
+   x.SyncToBlocks();
 }
 
 bool TimeStepper::Advance(real_t dt, Try &result)
@@ -338,7 +348,10 @@ void TimeStepper::Accept(const Try &result, real_t target, bool jump)
    op.AcceptStep();
    subtract(1.0 / result.step.dt, result.state.GetBlock(0), state.GetBlock(0),
             velocity);
+   ReadOnHost(state);
+   ReadOnHost(result.state);
    state = result.state;
+   state.SyncToBlocks();
    if (stops_here)
    {
       goal = target;
@@ -377,6 +390,9 @@ void TimeStepper::UpdateFields()
 {
    displacement.SetFromTrueDofs(state.GetBlock(0));
    pressure.SetFromTrueDofs(state.GetBlock(1));
+   displacement.HostRead();
+   pressure.HostRead();
+   ReadOnHost(state);
 }
 
 } // namespace synovia
