@@ -29,6 +29,8 @@ struct VolumeMatrices
    /// pressure.
    std::shared_ptr<mfem::HypreParMatrix> compliance;
    ModuliRatios moduli;
+   /// Of the displacement.
+   int order = 1;
    /// Whether any element of any rank is a tetrahedron.
    bool tetrahedra = false;
 };

@@ -86,9 +86,9 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 } // namespace
 
 FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
-                         const Array<int> &prescribed_)
+                         const Array<int> &prescribed_, int overlap_)
    : Solver(matrix_.Height()), matrix(matrix_), prescribed(prescribed_),
-     residual(height)
+     overlap(overlap_), residual(height)
 {
 }
 
@@ -134,8 +134,11 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
 {
    Array<int> marker = Touched(height, factors);
    Unmark(prescribed, marker);
-   MarkNeighbours(matrix, marker);
-   Unmark(prescribed, marker);
+   for (int layer = 0; layer < overlap; layer++)
+   {
+      MarkNeighbours(matrix, marker);
+      Unmark(prescribed, marker);
+   }
    contact_dofs.SetSize(0);
    for (int i = 0; i < height; i++)
    {

@@ -24,8 +24,10 @@ class FilteredAmg : public mfem::Solver
 public:
    /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
    /// dofs, ascending, don't count: those have unit rows in the inverse.
+   /// Solves exactly for @a overlap layers of dofs around those that contact
+   /// touches, too.
    FilteredAmg(const mfem::HypreParMatrix &matrix,
-               const mfem::Array<int> &prescribed);
+               const mfem::Array<int> &prescribed, int overlap);
 
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
    /// its hierarchy on @a alike, which has unit rows and columns for the
@@ -58,6 +60,7 @@ private:
 
    const mfem::HypreParMatrix &matrix;
    mfem::Array<int> prescribed;
+   int overlap;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
