@@ -3,6 +3,8 @@
 #include "integrators/pressure_projection_integrator.hpp"
 #include "integrators/quadrature_order.hpp"
 
+#include <vector>
+
 namespace synovia
 {
 

@@ -106,7 +106,7 @@ bool SmoothsWell(const ModuliRatios &moduli)
           moduli.anisotropy < hardly_anisotropic;
 }
 
-// Without overlap the filter's factors are a third as large, which saves a
+// Without overlap the filter has half the dofs to solve for, which saves a
 // sixth of the time; but the smoother must be good near the contact, or there
 // are half as many iterations more.
 int Overlap(const VolumeMatrices &matrices)
