@@ -8,7 +8,6 @@ one rank and on two, with either solver, and give what they give without it.
 
 from __future__ import annotations
 
-import os
 import pathlib
 import subprocess
 import sys
@@ -18,26 +17,20 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (MPIEXEC, PROGRAMS, SOURCE, check,  # noqa: E402
-                            finish, history, make_mesh)
+                            finish, history, make_mesh, run_program)
 
 # What depends on the machine.
 MEASURED = ("seconds", "dofs_per_second", "memory", "cpu")
 
 
-def run(device: str, ranks: int, *command: str | pathlib.Path):
-    return subprocess.run(
-        [MPIEXEC, "-n", str(ranks), *command], stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT, text=True,
-        env={**os.environ, "MFEM_DEVICE": device})
+def command_on(device: str, ranks: int, *command: str | pathlib.Path):
+    return ("env", f"MFEM_DEVICE={device}", MPIEXEC, "-n", str(ranks), *command)
 
 
-def succeed(device: str, ranks: int, *command: str | pathlib.Path) -> str:
-    result = run(device, ranks, *command)
-    if result.returncode != 0:
-        print(result.stdout)
+def run(device: str, ranks: int, *command: str | pathlib.Path) -> str:
     arguments = " ".join(map(str, command[1:]))
-    check(result.returncode == 0, f"{device}, {ranks} ranks: {arguments}")
-    return result.stdout
+    return run_program(*command_on(device, ranks, *command),
+                       text=f"{device}, {ranks} ranks: {arguments}")
 
 
 def same(name: str, table: dict[str, float], other: dict[str, float],
@@ -66,15 +59,17 @@ def numbers(output: str) -> dict[str, float]:
 
 def main() -> None:
     scaling = PROGRAMS / "scaling"
-    check(run("nowhere", 1, scaling, "-n", "2").returncode != 0,
+    nowhere = subprocess.run(command_on("nowhere", 1, scaling, "-n", "2"),
+                             capture_output=True)
+    check(nowhere.returncode != 0,
           "MFEM_DEVICE is heeded: there is no device \"nowhere\"")
     for ranks in (1, 2):
         for arguments in (("-o", "1", "-ls", "block_amg"),
                           ("-o", "2", "-ls", "block_amg"),
                           ("-o", "2", "-ls", "direct"),
                           ("-o", "3", "-nc", "-ls", "block_amg")):
-            rows = [numbers(succeed(device, ranks, scaling, "-n", "3",
-                                    *arguments))
+            rows = [numbers(run(device, ranks, scaling, "-n", "3",
+                                *arguments))
                     for device in ("cpu", "debug")]
             same(" ".join(arguments), *rows, least=15)
 
@@ -83,11 +78,11 @@ def main() -> None:
         make_mesh("knee_parametric.py", here / "knee.msh", "--size", "6")
         rows = []
         for device in ("cpu", "debug"):
-            succeed(device, 2, PROGRAMS / "synovia",
-                    SOURCE / "miniapps" / "cases" / "knee.toml",
-                    "--set", f'mesh.file="{here}/knee.msh"',
-                    "--set", "time.step=10", "--set", "time.end=20",
-                    "--output", here / device)
+            run(device, 2, PROGRAMS / "synovia",
+                SOURCE / "miniapps" / "cases" / "knee.toml",
+                "--set", f'mesh.file="{here}/knee.msh"',
+                "--set", "time.step=10", "--set", "time.end=20",
+                "--output", here / device)
             rows.append(history(here / device)[-1])
         same("knee", *rows, least=100)
     finish()
