@@ -38,12 +38,10 @@ public:
    {
       return current(ip.x, ip.y);
    }
-   /// Second derivatives of the current position: by xi twice, by both, by eta
-   /// twice.
-   std::array<Point3, 3>
-   CurrentCurvature(const mfem::IntegrationPoint &ip) const
+   /// With the second derivatives of the current position.
+   BentSurfacePoint CurrentBent(const mfem::IntegrationPoint &ip) const
    {
-      return current.Curvature(ip.x, ip.y);
+      return current.Bent(ip.x, ip.y);
    }
 
    /// A box around the current face, with room for its curvature.

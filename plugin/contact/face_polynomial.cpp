@@ -93,13 +93,13 @@ SurfacePoint FacePolynomial::operator()(real_t xi, real_t eta) const
    return point;
 }
 
-std::array<Point3, 3> FacePolynomial::Curvature(real_t xi, real_t eta) const
+BentSurfacePoint FacePolynomial::Bent(real_t xi, real_t eta) const
 {
    const real_t s = xi - centre.x;
    const real_t t = eta - centre.y;
-   std::array<Point3, 3> second{{zero, zero, zero}};
-   Point3 position = zero;
-   std::array<Point3, 2> tangents{{zero, zero}};
+   BentSurfacePoint bent{{zero, {zero, zero}}, {zero, zero, zero}};
+   SurfacePoint &point = bent.point;
+   std::array<Point3, 3> &second = bent.second;
    int end = coefficients.Width();
    for (int j = order; j >= 0; j--)
    {
@@ -112,17 +112,17 @@ std::array<Point3, 3> FacePolynomial::Curvature(real_t xi, real_t eta) const
          MultiplyAdd(slope, s, value);
          MultiplyAdd(value, s, Coefficient(--end));
       }
-      MultiplyAdd(second[2], t, tangents[1]);
-      MultiplyAdd(tangents[1], t, position);
-      MultiplyAdd(position, t, value);
-      MultiplyAdd(second[1], t, tangents[0]);
-      MultiplyAdd(tangents[0], t, slope);
+      MultiplyAdd(second[2], t, point.tangents[1]);
+      MultiplyAdd(point.tangents[1], t, point.position);
+      MultiplyAdd(point.position, t, value);
+      MultiplyAdd(second[1], t, point.tangents[0]);
+      MultiplyAdd(point.tangents[0], t, slope);
       MultiplyAdd(second[0], t, bend);
    }
    // What Horner's scheme leaves are the derivatives by their factorials.
    MultiplyAdd(second[0], 2.0, zero);
    MultiplyAdd(second[2], 2.0, zero);
-   return second;
+   return bent;
 }
 
 } // namespace synovia

@@ -34,6 +34,14 @@ struct SurfacePoint
    }
 };
 
+/// A point of a parametrised surface, and how the surface bends there.
+struct BentSurfacePoint
+{
+   SurfacePoint point;
+   /// Second derivatives: by xi twice, by both, by eta twice.
+   std::array<Point3, 3> second;
+};
+
 /// A function on a reference triangle or square, with values in space, as
 /// powers of the distance from the reference element's centre: it and its
 /// derivatives are evaluated faster than shape functions are.
@@ -54,8 +62,7 @@ public:
    const mfem::DenseMatrix &Coefficients() const { return coefficients; }
 
    SurfacePoint operator()(mfem::real_t xi, mfem::real_t eta) const;
-   /// Second derivatives: by xi twice, by both, by eta twice.
-   std::array<Point3, 3> Curvature(mfem::real_t xi, mfem::real_t eta) const;
+   BentSurfacePoint Bent(mfem::real_t xi, mfem::real_t eta) const;
 
 private:
    Point3 Coefficient(int power) const

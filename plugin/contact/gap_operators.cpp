@@ -31,42 +31,126 @@ Vector SumShared(ParFiniteElementSpace &space, const Vector &local)
    return result;
 }
 
-// The part of the operators that one pair of faces contributes: rows are the
+/// Values of the shape functions of a face's three fields at a point.
+class FaceShapes
+{
+public:
+   explicit FaceShapes(BiphasicSpaces &spaces)
+      : fields{&spaces.Displacement(), &spaces.Pressure(), &spaces.Multiplier()}
+   {
+   }
+
+   void Evaluate(Geometry::Type geometry, const IntegrationPoint &ip)
+   {
+      for (int f = 0; f < 3; f++)
+      {
+         const FiniteElement &element = FaceElement(*fields[f], geometry);
+         // Spaces of one order have the same shape functions.
+         if (f > 0 && element.GetOrder() == orders[f - 1])
+         {
+            which[f] = which[f - 1];
+         }
+         else
+         {
+            values[f].SetSize(element.GetDof());
+            element.CalcShape(ip, values[f]);
+            which[f] = f;
+         }
+         orders[f] = element.GetOrder();
+      }
+   }
+   const Vector &Displacement() const { return values[which[0]]; }
+   const Vector &Pressure() const { return values[which[1]]; }
+   const Vector &Multiplier() const { return values[which[2]]; }
+
+private:
+   std::array<const ParFiniteElementSpace *, 3> fields;
+   std::array<Vector, 3> values;
+   std::array<int, 3> which{{0, 0, 0}};
+   std::array<int, 3> orders{{0, 0, 0}};
+};
+
+// The part of an operator that one pair of faces contributes: rows are the
 // destination face's vertices, columns the dofs of one face.
 class FaceBlock
 {
 public:
-   FaceBlock(int rows, int columns) : values(rows, columns) { values = 0.0; }
+   FaceBlock(int rows, size_t columns) : values(rows, static_cast<int>(columns))
+   {
+      values = 0.0;
+   }
 
-   void AddTo(const std::vector<HYPRE_BigInt> &rows,
+   /// Adds factor x weights to a column.
+   void AddColumn(int column, real_t factor, const Vector &weights)
+   {
+      real_t *entries = values.GetColumn(column);
+      for (int j = 0; j < weights.Size(); j++)
+      {
+         entries[j] += factor * weights[j];
+      }
+   }
+   void AddPoint(const Vector &weights, const Vector &shape)
+   {
+      for (int k = 0; k < shape.Size(); k++)
+      {
+         AddColumn(k, shape[k], weights);
+      }
+   }
+   /// Appends its entries times @a sign.
+   void AddTo(real_t sign, const std::vector<HYPRE_BigInt> &rows,
               const std::vector<HYPRE_BigInt> &columns,
               std::vector<Triplet> &triplets) const
    {
-      for (int i = 0; i < values.Height(); i++)
+      for (int j = 0; j < values.Width(); j++)
       {
-         for (int j = 0; j < values.Width(); j++)
+         for (int i = 0; i < values.Height(); i++)
          {
             if (values(i, j) != 0.0)
             {
-               triplets.push_back({rows[i], columns[j], values(i, j)});
+               triplets.push_back({rows[i], columns[j], sign * values(i, j)});
             }
          }
       }
    }
 
+private:
    DenseMatrix values;
 };
 
+/// The blocks of gap and pressure jump.
 struct FaceBlocks
 {
    FaceBlocks(int rows, const FaceDofs &dofs)
-      : gap(rows, static_cast<int>(dofs.displacement.size())),
-        jump(rows, static_cast<int>(dofs.pressure.size())),
-        coverage(rows, static_cast<int>(dofs.multiplier.size()))
+      : gap(rows, dofs.displacement.size()), jump(rows, dofs.pressure.size())
    {
    }
+
+   void AddPoint(const Vector &weights, const Point3 &normal,
+                 const FaceShapes &shapes)
+   {
+      const Vector &u = shapes.Displacement();
+      for (int k = 0; k < u.Size(); k++)
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            gap.AddColumn(3 * k + d, normal[d] * u[k], weights);
+         }
+      }
+      jump.AddPoint(weights, shapes.Pressure());
+   }
+
    FaceBlock gap;
    FaceBlock jump;
+};
+
+struct SourceSide
+{
+   SourceSide(int rows, const FaceDofs &dofs_)
+      : dofs(dofs_), blocks(rows, dofs), coverage(rows, dofs.multiplier.size())
+   {
+   }
+   const FaceDofs &dofs;
+   FaceBlocks blocks;
    FaceBlock coverage;
 };
 
@@ -132,7 +216,7 @@ class GapAssembler
 public:
    GapAssembler(BiphasicSpaces &spaces_)
       : spaces(spaces_), area(spaces.Multiplier().GetVSize()),
-        offset(area.Size()), face_size(area.Size())
+        offset(area.Size()), face_size(area.Size()), shapes(spaces)
    {
       area = 0.0;
       offset = 0.0;
@@ -151,11 +235,11 @@ public:
    GapOperators Finish();
 
 private:
-   void AddSide(const std::vector<HYPRE_BigInt> &rows, const FaceBlocks &blocks,
-                const FaceDofs &dofs)
+   void AddSide(real_t sign, const std::vector<HYPRE_BigInt> &rows,
+                const FaceBlocks &blocks, const FaceDofs &dofs)
    {
-      blocks.gap.AddTo(rows, dofs.displacement, gap);
-      blocks.jump.AddTo(rows, dofs.pressure, jump);
+      blocks.gap.AddTo(sign, rows, dofs.displacement, gap);
+      blocks.jump.AddTo(sign, rows, dofs.pressure, jump);
    }
 
    BiphasicSpaces &spaces;
@@ -167,58 +251,8 @@ private:
    Vector face_size;
    std::array<Vector, 3> normal_area;
    Vector phi;
-   Vector u_shape;
-   Vector p_shape;
-   Vector m_shape;
+   FaceShapes shapes;
 };
-
-void EvaluateShapes(BiphasicSpaces &spaces, Geometry::Type geometry,
-                    const IntegrationPoint &ip, Vector &u, Vector &p, Vector &m)
-{
-   // Spaces of one order have the same shape functions.
-   const FiniteElement *last = nullptr;
-   const auto evaluate = [&](const ParFiniteElementSpace &space, Vector &shape,
-                             const Vector &before)
-   {
-      const FiniteElement &element = FaceElement(space, geometry);
-      if (last && last->GetOrder() == element.GetOrder())
-      {
-         shape = before;
-         return;
-      }
-      shape.SetSize(element.GetDof());
-      element.CalcShape(ip, shape);
-      last = &element;
-   };
-   evaluate(spaces.Displacement(), u, u);
-   evaluate(spaces.Pressure(), p, u);
-   evaluate(spaces.Multiplier(), m, p);
-}
-
-void AddPoint(FaceBlocks &blocks, const Vector &phi, real_t weight,
-              const Point3 &normal, const Vector &u, const Vector &p,
-              const Vector &m)
-{
-   for (int j = 0; j < phi.Size(); j++)
-   {
-      const real_t w = weight * phi[j];
-      for (int k = 0; k < u.Size(); k++)
-      {
-         for (int d = 0; d < 3; d++)
-         {
-            blocks.gap.values(j, 3 * k + d) += w * normal[d] * u[k];
-         }
-      }
-      for (int k = 0; k < p.Size(); k++)
-      {
-         blocks.jump.values(j, k) += w * p[k];
-      }
-      for (int k = 0; k < m.Size(); k++)
-      {
-         blocks.coverage.values(j, k) += w * m[k];
-      }
-   }
-}
 
 void GapAssembler::AddFace(
    const DeformedFace &face, const std::vector<SegmentPoint> &points,
@@ -232,7 +266,9 @@ void GapAssembler::AddFace(
                       Global(spaces.Pressure(), face.PressureDofs()), rows};
    const int vertices = static_cast<int>(rows.size());
    FaceBlocks own_blocks(vertices, own);
-   std::map<std::pair<int, int>, FaceBlocks> source_blocks;
+   std::map<std::pair<int, int>, SourceSide> source_sides;
+   std::pair<int, int> last_hit(-1, -1);
+   SourceSide *source = nullptr;
    real_t hit_area = 0.0;
    Vector weights(vertices);
    weights = 0.0;
@@ -248,30 +284,35 @@ void GapAssembler::AddFace(
       const Point3 &normal = queries[q].normal;
       const SurfacePoint at = face.Reference(ip);
       const real_t weight = ip.weight * at.AreaFactor();
-      EvaluateShapes(spaces, own.geometry, ip, u_shape, p_shape, m_shape);
-      phi = m_shape;
-      AddPoint(own_blocks, phi, -weight, normal, u_shape, p_shape, m_shape);
+      shapes.Evaluate(own.geometry, ip);
+      phi = shapes.Multiplier();
+      phi *= weight;
+      own_blocks.AddPoint(phi, normal, shapes);
 
-      const FaceDofs &dofs = source_dofs.at({hit.rank, hit.face});
-      FaceBlocks &blocks =
-         source_blocks.try_emplace({hit.rank, hit.face}, vertices, dofs)
-            .first->second;
+      // Points come source face by source face.
+      const std::pair<int, int> source_face(hit.rank, hit.face);
+      if (source_face != last_hit)
+      {
+         const FaceDofs &dofs = source_dofs.at(source_face);
+         source = &source_sides.try_emplace(source_face, vertices, dofs)
+                      .first->second;
+         last_hit = source_face;
+      }
       IntegrationPoint source_ip;
       source_ip.Set2(hit.xi, hit.eta);
-      EvaluateShapes(spaces, dofs.geometry, source_ip, u_shape, p_shape,
-                     m_shape);
-      AddPoint(blocks, phi, weight, normal, u_shape, p_shape, m_shape);
+      shapes.Evaluate(source->dofs.geometry, source_ip);
+      source->blocks.AddPoint(phi, normal, shapes);
+      source->coverage.AddPoint(phi, shapes.Multiplier());
 
       const real_t reference_gap =
          Dot(normal, Sum(hit.reference, -1.0, at.position));
       for (int j = 0; j < vertices; j++)
       {
-         weights[j] += weight * phi[j];
-         offset[face.MultiplierDofs()[j]] += weight * phi[j] * reference_gap;
+         weights[j] += phi[j];
+         offset[face.MultiplierDofs()[j]] += phi[j] * reference_gap;
          for (int d = 0; d < 3; d++)
          {
-            normal_area[d][face.MultiplierDofs()[j]] +=
-               weight * phi[j] * normal[d];
+            normal_area[d][face.MultiplierDofs()[j]] += phi[j] * normal[d];
          }
       }
       hit_area += weight;
@@ -287,12 +328,11 @@ void GapAssembler::AddFace(
       area[face.MultiplierDofs()[j]] += weights[j];
       face_size[face.MultiplierDofs()[j]] += weights[j] * size;
    }
-   AddSide(rows, own_blocks, own);
-   for (const auto &[key, blocks] : source_blocks)
+   AddSide(-1.0, rows, own_blocks, own);
+   for (const auto &[key, side] : source_sides)
    {
-      const FaceDofs &dofs = source_dofs.at(key);
-      AddSide(rows, blocks, dofs);
-      blocks.coverage.AddTo(rows, dofs.multiplier, coverage);
+      AddSide(1.0, rows, side.blocks, side.dofs);
+      side.coverage.AddTo(1.0, rows, side.dofs.multiplier, coverage);
    }
 }
 
@@ -326,13 +366,11 @@ GapOperators GapAssembler::Finish()
    operators.face_size *= inverse;
 
    const auto assemble =
-      [&](std::vector<Triplet> &triplets, ParFiniteElementSpace &columns)
+      [&](const std::vector<Triplet> &triplets, ParFiniteElementSpace &columns)
    {
-      auto matrix = AssembleTriplets(spaces.GetComm(), std::move(triplets),
-                                     m.GetTrueDofOffsets(), m.GlobalTrueVSize(),
-                                     columns.GetTrueDofOffsets(),
-                                     columns.GlobalTrueVSize());
-      return matrix;
+      return AssembleTriplets(spaces.GetComm(), triplets, m.GetTrueDofOffsets(),
+                              m.GlobalTrueVSize(), columns.GetTrueDofOffsets(),
+                              columns.GlobalTrueVSize());
    };
    operators.gap = assemble(gap, u);
    operators.gap->ScaleRows(inverse);

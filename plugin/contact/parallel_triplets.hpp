@@ -24,7 +24,7 @@ struct Triplet
 /// @param rows          global number of rows
 /// @param column_offsets, columns   likewise
 std::unique_ptr<mfem::HypreParMatrix>
-AssembleTriplets(MPI_Comm comm, std::vector<Triplet> triplets,
+AssembleTriplets(MPI_Comm comm, const std::vector<Triplet> &triplets,
                  HYPRE_BigInt *row_offsets, HYPRE_BigInt rows,
                  HYPRE_BigInt *column_offsets, HYPRE_BigInt columns);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace synovia
 {
@@ -19,12 +20,17 @@ constexpr real_t straight = 1e-3;
 // nothing about where a point lies; the tangent plane at the centre does.
 constexpr real_t reach_of_map = 4.0;
 
+/// The global numbers of the two vertices that a corner lies between, the
+/// smaller one first; of a vertex, its own twice.
+using CornerName = std::array<HYPRE_BigInt, 2>;
+
 /// Outline of a source face.
 struct Facet
 {
    static constexpr int most_corners = 8;
    int corners = 0;
    std::array<Point3, most_corners> points;
+   std::array<CornerName, most_corners> names;
    real_t size = 0.0;
    int rank = -1;
    int face = -1;
@@ -42,16 +48,23 @@ struct Facet
    }
 };
 
-Facet Outline(const DeformedFace &face)
+Facet Outline(const DeformedFace &face, const ParFiniteElementSpace &vertices)
 {
-   const IntegrationRule &vertices =
-      *Geometries.GetVertices(face.GetGeometry());
-   const int edges = vertices.GetNPoints();
+   const IntegrationRule &ends = *Geometries.GetVertices(face.GetGeometry());
+   const int edges = ends.GetNPoints();
+   const Array<int> &dofs = face.MultiplierDofs();
    Facet facet;
+   const auto add = [&](const Point3 &point, HYPRE_BigInt i, HYPRE_BigInt j)
+   {
+      facet.points[facet.corners] = point;
+      facet.names[facet.corners] = {std::min(i, j), std::max(i, j)};
+      facet.corners++;
+   };
    for (int i = 0; i < edges; i++)
    {
-      const IntegrationPoint &from = vertices.IntPoint(i);
-      const IntegrationPoint &to = vertices.IntPoint((i + 1) % edges);
+      const int next = (i + 1) % edges;
+      const IntegrationPoint &from = ends.IntPoint(i);
+      const IntegrationPoint &to = ends.IntPoint(next);
       const Point3 a = face.Current(from).position;
       const Point3 b = face.Current(to).position;
       IntegrationPoint middle;
@@ -60,10 +73,11 @@ Facet Outline(const DeformedFace &face)
       const real_t length = Length(Sum(b, -1.0, a));
       const Point3 bend = Sum(Sum(m, -0.5, a), -0.5, b);
       facet.size = std::max(facet.size, length);
-      facet.points[facet.corners++] = a;
+      const HYPRE_BigInt first = vertices.GetGlobalTDofNumber(dofs[i]);
+      add(a, first, first);
       if (Length(bend) > straight * length)
       {
-         facet.points[facet.corners++] = m;
+         add(m, first, vertices.GetGlobalTDofNumber(dofs[next]));
       }
    }
    return facet;
@@ -135,7 +149,7 @@ std::vector<Facet> FacetsNearby(const ContactSurface &source,
    std::vector<std::vector<Facet>> outgoing(ranks);
    for (std::size_t i = 0; i < source.Faces().size(); i++)
    {
-      Facet facet = Outline(source.Faces()[i]);
+      Facet facet = Outline(source.Faces()[i], source.Spaces().Multiplier());
       facet.rank = rank;
       facet.face = static_cast<int>(i);
       const Box box = facet.GetBox();
@@ -148,35 +162,46 @@ std::vector<Facet> FacetsNearby(const ContactSurface &source,
       }
    }
    std::vector<Facet> facets;
-   for (const std::vector<Facet> &part : Exchange(outgoing, comm))
+   for (const std::vector<Facet> &part : Exchange(std::move(outgoing), comm))
    {
       facets.insert(facets.end(), part.begin(), part.end());
    }
    return facets;
 }
 
-/// Where the normals of a face go through points of space.
+/// Where a destination face's normal goes through a point.
+struct Image
+{
+   /// Reference coordinates.
+   Point2 xi{{0.0, 0.0}};
+   real_t distance = 0.0;
+};
+
+/// Where the normals of a face go through the corners of source faces.
 class Projection
 {
 public:
    explicit Projection(const DeformedFace &face_)
       : face(face_), centre(Geometries.GetCenter(face.GetGeometry())),
-        middle(face.Current(centre))
+        middle(face.CurrentBent(centre))
    {
    }
 
-   /// Reference coordinates and signed distance. One point has one image,
-   /// whichever source face it belongs to, so that the images of neighbours
-   /// neither overlap nor leave a gap.
-   void Project(const Point3 &point, Point2 &xi, real_t &distance) const
+   /// One corner has one image, whichever source face it belongs to, so that
+   /// the images of neighbours neither overlap nor leave a gap.
+   const Image &Project(const CornerName &name, const Point3 &point)
    {
-      if (!ProjectOnFace(point, xi, distance))
+      const auto [position, added] = images.try_emplace(name);
+      Image &image = position->second;
+      if (added && !ProjectOnFace(point, image))
       {
-         const Point3 d = Sum(point, -1.0, middle.position);
-         const Point2 step = Solve(Metric(middle), d, middle.tangents);
-         xi = {centre.x + step[0], centre.y + step[1]};
-         distance = Dot(d, middle.UnitNormal());
+         const SurfacePoint &at = middle.point;
+         const Point3 d = Sum(point, -1.0, at.position);
+         const Point2 step = Solve(Metric(at), d, at.tangents);
+         image.xi = {centre.x + step[0], centre.y + step[1]};
+         image.distance = Dot(d, at.UnitNormal());
       }
+      return image;
    }
 
 private:
@@ -198,18 +223,16 @@ private:
    /// curvature makes them, or, where they may not be positive, the metric. How
    /// the reference coordinates bend in the face has no say: it makes minima
    /// where none is on the face.
-   Symmetric2 Hessian(const IntegrationPoint &ip, const SurfacePoint &at,
-                      const Point3 &d) const
+   static Symmetric2 Hessian(const BentSurfacePoint &at, const Point3 &d)
    {
       constexpr real_t positive = 0.2;
-      const Symmetric2 metric = Metric(at);
-      const std::array<Point3, 3> second = face.CurrentCurvature(ip);
-      const Point3 normal = at.UnitNormal();
+      const Symmetric2 metric = Metric(at.point);
+      const Point3 normal = at.point.UnitNormal();
       const real_t distance = Dot(d, normal);
       Symmetric2 hessian;
       for (int i = 0; i < 3; i++)
       {
-         hessian[i] = metric[i] - distance * Dot(normal, second[i]);
+         hessian[i] = metric[i] - distance * Dot(normal, at.second[i]);
       }
       const bool usable = hessian[0] > positive * metric[0] &&
                           Determinant(hessian) > positive * Determinant(metric);
@@ -225,17 +248,17 @@ private:
       return {(m[2] * a - m[1] * b) / det, (m[0] * b - m[1] * a) / det};
    }
 
-   bool ProjectOnFace(const Point3 &point, Point2 &xi, real_t &distance) const
+   bool ProjectOnFace(const Point3 &point, Image &image) const
    {
       constexpr int max_iterations = 30;
       // Little more than round-off makes where faces are small.
       constexpr real_t small = 1e-12;
       IntegrationPoint ip = centre;
-      SurfacePoint at = middle;
+      BentSurfacePoint at = middle;
       for (int i = 0; i < max_iterations; i++)
       {
-         const Point3 d = Sum(point, -1.0, at.position);
-         const Point2 step = Solve(Hessian(ip, at, d), d, at.tangents);
+         const Point3 d = Sum(point, -1.0, at.point.position);
+         const Point2 step = Solve(Hessian(at, d), d, at.point.tangents);
          ip.x += step[0];
          ip.y += step[1];
          if (std::abs(ip.x - centre.x) > reach_of_map ||
@@ -243,20 +266,21 @@ private:
          {
             return false;
          }
-         at = face.Current(ip);
          if (std::abs(step[0]) + std::abs(step[1]) < small)
          {
-            xi = {ip.x, ip.y};
-            distance = Dot(Sum(point, -1.0, at.position), at.UnitNormal());
+            image.xi = {ip.x, ip.y};
+            image.distance = Dot(d, at.point.UnitNormal());
             return true;
          }
+         at = face.CurrentBent(ip);
       }
       return false;
    }
 
    const DeformedFace &face;
    const IntegrationPoint centre;
-   const SurfacePoint middle;
+   const BentSurfacePoint middle;
+   std::map<CornerName, Image> images;
 };
 
 /// The linear function of the plane through the first corner, the one a third
@@ -295,7 +319,7 @@ private:
    Point2 slope{{0.0, 0.0}};
 };
 
-void AppendSegment(const DeformedFace &face, const Projection &projection,
+void AppendSegment(const DeformedFace &face, Projection &projection,
                    const Facet &facet, int order,
                    std::vector<SegmentPoint> &points)
 {
@@ -303,7 +327,9 @@ void AppendSegment(const DeformedFace &face, const Projection &projection,
    std::vector<real_t> distances(facet.corners);
    for (int i = 0; i < facet.corners; i++)
    {
-      projection.Project(facet.points[i], image[i], distances[i]);
+      const Image &at = projection.Project(facet.names[i], facet.points[i]);
+      image[i] = at.xi;
+      distances[i] = at.distance;
    }
    // What faces the destination goes round the other way.
    if (SignedArea(image) >= 0.0)
@@ -340,7 +366,7 @@ SegmentSurface(const ContactSurface &source, const ContactSurface &destination,
    for (const DeformedFace &face : destination.Faces())
    {
       segments.emplace_back();
-      const Projection projection(face);
+      Projection projection(face);
       tree.VisitBox(Swept(face, radius),
                     [&](int i) {
                        AppendSegment(face, projection, facets[i], order,

@@ -40,9 +40,10 @@ bool Inside(Geometry::Type geometry, const IntegrationPoint &ip)
              : ip.x <= 1.0 + edge_tolerance && ip.y <= 1.0 + edge_tolerance;
 }
 
-// Solves x(xi, eta) = point + s normal by Newton's method from the centre.
+// Solves x(xi, eta) = point + s normal by Newton's method from the centre; says
+// how the face's normal there lies to the query's.
 bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
-                   IntegrationPoint &ip, real_t &distance)
+                   IntegrationPoint &ip, real_t &distance, real_t &cosine)
 {
    constexpr int max_iterations = 20;
    ip = Geometries.GetCenter(face.GetGeometry());
@@ -70,6 +71,7 @@ bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
       // The next step would be as small as the square of this one.
       if (std::abs(dxi) + std::abs(deta) < 1e-8)
       {
+         cosine = -det / scale;
          return true;
       }
       if (std::abs(ip.x) > 4.0 || std::abs(ip.y) > 4.0)
@@ -103,9 +105,10 @@ SearchHit SurfaceSearch::HitFace(const SearchQuery &query, int index) const
    const DeformedFace &face = surface.Faces()[index];
    IntegrationPoint ip;
    real_t distance;
-   if (IntersectFace(face, query, ip, distance) &&
+   real_t cosine;
+   if (IntersectFace(face, query, ip, distance, cosine) &&
        Inside(face.GetGeometry(), ip) && std::abs(distance) <= radius &&
-       Dot(face.Current(ip).UnitNormal(), query.normal) <= facing_cosine)
+       cosine <= facing_cosine)
    {
       hit.rank = rank;
       hit.face = index;
@@ -154,7 +157,7 @@ SurfaceSearch::AskRanks(const std::vector<SearchQuery> &queries,
          outgoing[r].push_back(queries[q]);
       }
    }
-   const auto incoming = Exchange(outgoing, comm);
+   const auto incoming = Exchange(std::move(outgoing), comm);
    std::vector<std::vector<SearchHit>> answers(size);
    for (int r = 0; r < size; r++)
    {
@@ -164,7 +167,7 @@ SurfaceSearch::AskRanks(const std::vector<SearchQuery> &queries,
          answers[r].push_back(FindLocal(query));
       }
    }
-   const auto returned = Exchange(answers, comm);
+   const auto returned = Exchange(std::move(answers), comm);
    std::vector<SearchHit> hits(queries.size());
    for (int r = 0; r < size; r++)
    {
@@ -188,6 +191,8 @@ SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
       }
    }
    std::vector<SearchHit> hits = AskRanks(queries, named);
+   std::vector<size_t> missed;
+   std::vector<SearchQuery> again;
    std::vector<std::vector<int>> others(size);
    for (size_t q = 0; q < queries.size(); q++)
    {
@@ -203,14 +208,16 @@ SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
          if (!tried && !rank_boxes[r].Empty() &&
              rank_boxes[r].MeetsSegment(a, b))
          {
-            others[r].push_back(static_cast<int>(q));
+            others[r].push_back(static_cast<int>(again.size()));
          }
       }
+      missed.push_back(q);
+      again.push_back(queries[q]);
    }
-   const std::vector<SearchHit> found = AskRanks(queries, others);
-   for (size_t q = 0; q < queries.size(); q++)
+   const std::vector<SearchHit> found = AskRanks(again, others);
+   for (size_t i = 0; i < missed.size(); i++)
    {
-      hits[q].TakeNearer(found[q]);
+      hits[missed[i]].TakeNearer(found[i]);
    }
    return hits;
 }
@@ -242,7 +249,7 @@ SurfaceSearch::GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const
    {
       requests[owner].push_back(face);
    }
-   const auto asked = Exchange(requests, comm);
+   const auto asked = Exchange(std::move(requests), comm);
    std::vector<std::vector<HYPRE_BigInt>> replies(size);
    for (int r = 0; r < size; r++)
    {
@@ -259,7 +266,7 @@ SurfaceSearch::GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const
          }
       }
    }
-   const auto received = Exchange(replies, comm);
+   const auto received = Exchange(std::move(replies), comm);
    std::vector<size_t> position(size, 0);
    std::vector<FaceDofs> result;
    result.reserve(faces.size());

@@ -45,9 +45,9 @@ int LargestComponent(const std::array<real_t, 3> &direction)
 std::unique_ptr<HypreParMatrix> Square(ParFiniteElementSpace &space,
                                        std::vector<Triplet> triplets)
 {
-   return AssembleTriplets(space.GetComm(), std::move(triplets),
-                           space.GetTrueDofOffsets(), space.GlobalTrueVSize(),
-                           space.GetTrueDofOffsets(), space.GlobalTrueVSize());
+   return AssembleTriplets(space.GetComm(), triplets, space.GetTrueDofOffsets(),
+                           space.GlobalTrueVSize(), space.GetTrueDofOffsets(),
+                           space.GlobalTrueVSize());
 }
 } // namespace
 

@@ -107,7 +107,15 @@ TEST_CASE("A face's second derivatives are differences of its tangents")
       Mult(SomeNodes(element.GetDof()),
            FacePolynomial::PowersFromNodes(element), polynomial.Coefficients());
       constexpr real_t step = 1e-4;
-      const std::array<Point3, 3> second = polynomial.Curvature(0.3, 0.2);
+      const BentSurfacePoint bent = polynomial.Bent(0.3, 0.2);
+      const std::array<Point3, 3> &second = bent.second;
+      const SurfacePoint at = polynomial(0.3, 0.2);
+      CHECK(Length(Sum(at.position, -1.0, bent.point.position)) == 0.0);
+      for (int a = 0; a < 2; a++)
+      {
+         CHECK(Length(Sum(at.tangents[a], -1.0, bent.point.tangents[a])) ==
+               0.0);
+      }
       const SurfacePoint right = polynomial(0.3 + step, 0.2);
       const SurfacePoint left = polynomial(0.3 - step, 0.2);
       const SurfacePoint up = polynomial(0.3, 0.2 + step);
