@@ -37,14 +37,14 @@ std::unique_ptr<HypreParMatrix> Injection(const HypreParMatrix &square,
    return std::make_unique<HypreParMatrix>(borrowed);
 }
 
-// Columns that a distributed matrix has entries in, as local true dofs.
-void MarkColumns(const HypreParMatrix &matrix, Array<int> &marker)
+// Marks the local true dofs in which those rows of a distributed matrix have
+// entries that are positive in @a rows.
+void MarkColumns(const HypreParMatrix &matrix, const Vector &rows,
+                 Array<int> &marker)
 {
-   Vector ones(matrix.Height());
-   ones = 1.0;
    Vector weight(matrix.Width());
    // |entries| can't cancel.
-   matrix.AbsMultTranspose(1.0, ones, 0.0, weight);
+   matrix.AbsMultTranspose(1.0, rows, 0.0, weight);
    weight.HostRead();
    for (int i = 0; i < weight.Size(); i++)
    {
@@ -93,11 +93,14 @@ FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
 }
 
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
-                               std::unique_ptr<HypreBoomerAMG> amg_)
+                               std::unique_ptr<HypreBoomerAMG> amg_,
+                               const std::vector<Vector> &weights)
 {
    ClearHierarchy();
    alike = std::move(alike_);
    amg = std::move(amg_);
+   weights_in_hierarchy = weights;
+   DropSelection();
    amg->SetPrintLevel(0);
    amg->SetOperator(*alike);
    // hypre sets up at the first use: now, while it can be timed as set-up.
@@ -125,15 +128,65 @@ FilteredAmg::Touched(int size,
    marker = 0;
    for (const HypreParMatrix *factor : factors)
    {
-      MarkColumns(*factor, marker);
+      Vector all(factor->Height());
+      all = 1.0;
+      MarkColumns(*factor, all, marker);
    }
    return marker;
 }
 
-void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
+void FilteredAmg::SetFactors(
+   const std::vector<const HypreParMatrix *> &factors_)
 {
-   Array<int> marker = Touched(height, factors);
+   factors = factors_;
+   DropSelection();
+}
+
+void FilteredAmg::DropSelection()
+{
+   has_selection = false;
+   selected.SetSize(height);
+   selected = 0;
+}
+
+Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights) const
+{
+   Array<int> marker(height);
+   marker = 0;
+   for (size_t i = 0; i < factors.size(); i++)
+   {
+      Vector rows(weights[i].Size());
+      for (int j = 0; j < rows.Size(); j++)
+      {
+         const bool known =
+            i < weights_in_hierarchy.size() && weights_in_hierarchy[i][j] > 0.0;
+         rows[j] = known || weights[i][j] > 0.0 ? 1.0 : 0.0;
+      }
+      MarkColumns(*factors[i], rows, marker);
+   }
+   for (const int dof : OnHost(held))
+   {
+      marker[dof] = 1;
+   }
    Unmark(prescribed, marker);
+   return marker;
+}
+
+bool FilteredAmg::Select(const Array<int> &needed)
+{
+   bool more = !has_selection;
+   has_selection = true;
+   for (int i = 0; i < height; i++)
+   {
+      more = more || needed[i] > selected[i];
+      selected[i] = std::max(selected[i], needed[i]);
+   }
+   return AnyRank(more, matrix.GetComm());
+}
+
+void FilteredAmg::Restrict()
+{
+   Array<int> marker(selected);
    for (int layer = 0; layer < overlap; layer++)
    {
       MarkNeighbours(matrix, marker);
@@ -176,6 +229,10 @@ void FilteredAmg::SetFactors(const std::vector<const HypreParMatrix *> &factors)
 
 bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
 {
+   if (Select(Needed(weights)))
+   {
+      Restrict();
+   }
    if (!has_contact)
    {
       return false;

@@ -13,31 +13,33 @@ namespace synovia
 /// A is a matrix that multigrid likes, F the gap or jump operator of a contact
 /// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up on A or
 /// on something like the whole that multigrid likes as well, stands between two
-/// exact solves on the dofs that contact touches: filter, V-cycle, filter, with
-/// the residual renewed in between. So neither the size of the penalty nor a
-/// change of the active set spoils the multigrid. Dofs that contact holds, such
-/// as pressures that drain where there is none, are left to the exact solves in
-/// the same way. The idea is AMG with filtering (Petrides et al. 2025); there
-/// the hierarchy is that of the whole matrix and the order is AMG, filter, AMG.
+/// exact solves on the dofs of the rows that have a weight: filter, V-cycle,
+/// filter, with the residual renewed in between. So neither the size of the
+/// penalty nor a change of the active set spoils the multigrid. Dofs that
+/// contact holds, such as pressures that drain where there is none, are left to
+/// the exact solves in the same way. The idea is AMG with filtering (Petrides
+/// et al. 2025); there the hierarchy is that of the whole matrix and the order
+/// is AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
    /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
    /// dofs, ascending, don't count: those have unit rows in the inverse.
-   /// Solves exactly for @a overlap layers of dofs around those that contact
-   /// touches, too.
+   /// Solves exactly for @a overlap layers of dofs around those, too.
    FilteredAmg(const mfem::HypreParMatrix &matrix,
                const mfem::Array<int> &prescribed, int overlap);
 
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
    /// its hierarchy on @a alike, which has unit rows and columns for the
-   /// prescribed dofs. Must come first. Collective.
-   /// ClearHierarchy() before @a alike is made spares memory.
+   /// prescribed dofs. @a weights are those that factors have in it, empty if
+   /// it has none: the exact solves amend it there. Must come first.
+   /// Collective. ClearHierarchy() before @a alike is made spares memory.
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
-                     std::unique_ptr<mfem::HypreBoomerAMG> amg);
+                     std::unique_ptr<mfem::HypreBoomerAMG> amg,
+                     const std::vector<mfem::Vector> &weights);
    void ClearHierarchy();
-   /// Takes other contact operators F, rows x true dofs. Their columns at
-   /// prescribed dofs don't count. SetWeights() must follow. Collective.
+   /// Borrows other contact operators F, rows x true dofs. Their columns at
+   /// prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
    /// Takes other dofs, ascending and among those that Touched() gives for the
    /// factors, which are to be treated as if they were prescribed, although the
@@ -56,6 +58,15 @@ public:
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
+   /// 1 for the dofs of the factors' rows that have a weight, now or in the
+   /// hierarchy, and for those held.
+   mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights) const;
+   void DropSelection();
+   /// Adds to the selected dofs, and says whether there was anything to add on
+   /// any rank. What isn't needed any more stays: it may come back.
+   bool Select(const mfem::Array<int> &needed);
+   /// Restricts matrix and factors to the selected dofs and their neighbours.
+   void Restrict();
    void HoldContact(mfem::HypreParMatrix &in_contact);
 
    const mfem::HypreParMatrix &matrix;
@@ -64,6 +75,11 @@ private:
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
+   std::vector<mfem::Vector> weights_in_hierarchy;
+   std::vector<const mfem::HypreParMatrix *> factors;
+   /// 1 for the dofs to solve for exactly, but for their neighbours.
+   mfem::Array<int> selected;
+   bool has_selection = false;
    mfem::Array<int> contact_dofs;
    /// Of the held dofs, their places among the contact dofs.
    mfem::Array<int> held_in_contact;
