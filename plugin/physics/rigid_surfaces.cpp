@@ -43,7 +43,7 @@ int LargestComponent(const std::array<real_t, 3> &direction)
 
 // Square, with the order of the space's true dofs.
 std::unique_ptr<HypreParMatrix> Square(ParFiniteElementSpace &space,
-                                       std::vector<Triplet> triplets)
+                                       const std::vector<Triplet> &triplets)
 {
    return AssembleTriplets(space.GetComm(), triplets, space.GetTrueDofOffsets(),
                            space.GlobalTrueVSize(), space.GetTrueDofOffsets(),
@@ -123,8 +123,8 @@ RigidSurfaces::RigidSurfaces(BiphasicSpaces &spaces,
    {
       identity.push_back({first + dof, first + dof, 1.0});
    }
-   distribution = Square(space, std::move(map));
-   idle_identity = Square(space, std::move(identity));
+   distribution = Square(space, map);
+   idle_identity = Square(space, identity);
 }
 
 VolumeMatrices RigidSurfaces::Reduce(const VolumeMatrices &matrices) const

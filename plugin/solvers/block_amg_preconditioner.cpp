@@ -207,7 +207,7 @@ void BlockAmgPreconditioner::BuildHierarchy()
    soft_weights = SoftWeights();
    displacement.ClearHierarchy();
    displacement.SetHierarchy(jacobian.DisplacementBlock(soft_weights),
-                             ElasticityAmg(jacobian.Volume()), soft_weights);
+                             ElasticityAmg(jacobian.Volume()));
    built = true;
    served = 0;
    work.setups++;
@@ -231,7 +231,7 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    }
    if (moved || gaps_changed)
    {
-      work.factorisations += displacement.SetWeights(gap_weights);
+      work.factorisations += displacement.SetWeights(gap_weights, soft_weights);
    }
 }
 
@@ -264,7 +264,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       schur = jacobian.SchurComplement(p_dofs);
       pressure = std::make_unique<FilteredAmg>(*schur, p_dofs, 1);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
-                             FlowAmg(), {});
+                             FlowAmg());
       work.setups++;
    }
    if (moved || other_matrix)
@@ -280,7 +280,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       {
          w *= dt;
       }
-      work.factorisations += pressure->SetWeights(weights);
+      work.factorisations += pressure->SetWeights(weights, {});
    }
 }
 

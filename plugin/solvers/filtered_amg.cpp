@@ -93,14 +93,12 @@ FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
 }
 
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
-                               std::unique_ptr<HypreBoomerAMG> amg_,
-                               const std::vector<Vector> &weights)
+                               std::unique_ptr<HypreBoomerAMG> amg_)
 {
    ClearHierarchy();
    alike = std::move(alike_);
    amg = std::move(amg_);
-   weights_in_hierarchy = weights;
-   DropSelection();
+   selected.reset();
    amg->SetPrintLevel(0);
    amg->SetOperator(*alike);
    // hypre sets up at the first use: now, while it can be timed as set-up.
@@ -139,17 +137,11 @@ void FilteredAmg::SetFactors(
    const std::vector<const HypreParMatrix *> &factors_)
 {
    factors = factors_;
-   DropSelection();
+   selected.reset();
 }
 
-void FilteredAmg::DropSelection()
-{
-   has_selection = false;
-   selected.SetSize(height);
-   selected = 0;
-}
-
-Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights) const
+Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights,
+                               const std::vector<Vector> &in_hierarchy) const
 {
    Array<int> marker(height);
    marker = 0;
@@ -158,8 +150,7 @@ Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights) const
       Vector rows(weights[i].Size());
       for (int j = 0; j < rows.Size(); j++)
       {
-         const bool known =
-            i < weights_in_hierarchy.size() && weights_in_hierarchy[i][j] > 0.0;
+         const bool known = !in_hierarchy.empty() && in_hierarchy[i][j] > 0.0;
          rows[j] = known || weights[i][j] > 0.0 ? 1.0 : 0.0;
       }
       MarkColumns(*factors[i], rows, marker);
@@ -174,19 +165,25 @@ Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights) const
 
 bool FilteredAmg::Select(const Array<int> &needed)
 {
-   bool more = !has_selection;
-   has_selection = true;
+   bool other = !selected;
+   if (other)
+   {
+      selected = needed;
+   }
    for (int i = 0; i < height; i++)
    {
-      more = more || needed[i] > selected[i];
-      selected[i] = std::max(selected[i], needed[i]);
+      if (needed[i] > (*selected)[i])
+      {
+         (*selected)[i] = 1;
+         other = true;
+      }
    }
-   return AnyRank(more, matrix.GetComm());
+   return AnyRank(other, matrix.GetComm());
 }
 
 void FilteredAmg::Restrict()
 {
-   Array<int> marker(selected);
+   Array<int> marker(*selected);
    for (int layer = 0; layer < overlap; layer++)
    {
       MarkNeighbours(matrix, marker);
@@ -227,9 +224,10 @@ void FilteredAmg::Restrict()
    }
 }
 
-bool FilteredAmg::SetWeights(const std::vector<Vector> &weights)
+bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
+                             const std::vector<Vector> &in_hierarchy)
 {
-   if (Select(Needed(weights)))
+   if (Select(Needed(weights, in_hierarchy)))
    {
       Restrict();
    }

@@ -3,6 +3,7 @@
 #include "mfem.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace synovia
@@ -25,29 +26,31 @@ class FilteredAmg : public mfem::Solver
 public:
    /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
    /// dofs, ascending, don't count: those have unit rows in the inverse.
-   /// Solves exactly for @a overlap layers of dofs around those, too.
+   /// Solves exactly for @a overlap layers of dofs around those of the rows
+   /// that have a weight, too.
    FilteredAmg(const mfem::HypreParMatrix &matrix,
                const mfem::Array<int> &prescribed, int overlap);
 
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
    /// its hierarchy on @a alike, which has unit rows and columns for the
-   /// prescribed dofs. @a weights are those that factors have in it, empty if
-   /// it has none: the exact solves amend it there. Must come first.
-   /// Collective. ClearHierarchy() before @a alike is made spares memory.
+   /// prescribed dofs. Must come first. SetWeights() must follow. Collective.
+   /// ClearHierarchy() before @a alike is made spares memory.
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
-                     std::unique_ptr<mfem::HypreBoomerAMG> amg,
-                     const std::vector<mfem::Vector> &weights);
+                     std::unique_ptr<mfem::HypreBoomerAMG> amg);
    void ClearHierarchy();
-   /// Borrows other contact operators F, rows x true dofs. Their columns at
-   /// prescribed dofs don't count. SetWeights() must follow.
+   /// Borrows other contact operators F, rows x true dofs, until others come.
+   /// Their columns at prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
    /// Takes other dofs, ascending and among those that Touched() gives for the
    /// factors, which are to be treated as if they were prescribed, although the
    /// hierarchy knows nothing of it. SetWeights() must follow.
    void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
    /// Takes other weights, not negative, for each factor, and factorises. Says
-   /// whether there was anything to factorise. Collective.
-   bool SetWeights(const std::vector<mfem::Vector> &weights);
+   /// whether there was anything to factorise. @a in_hierarchy are the weights
+   /// with which factors are part of the hierarchy's matrix, empty if they are
+   /// not: the exact solves amend it there. Collective.
+   bool SetWeights(const std::vector<mfem::Vector> &weights,
+                   const std::vector<mfem::Vector> &in_hierarchy);
 
    /// 1 for the dofs, @a size on this rank, in which a factor has entries, 0
    /// elsewhere. Collective.
@@ -60,10 +63,10 @@ public:
 private:
    /// 1 for the dofs of the factors' rows that have a weight, now or in the
    /// hierarchy, and for those held.
-   mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights) const;
-   void DropSelection();
-   /// Adds to the selected dofs, and says whether there was anything to add on
-   /// any rank. What isn't needed any more stays: it may come back.
+   mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights,
+                           const std::vector<mfem::Vector> &in_hierarchy) const;
+   /// Adds to the selected dofs, and says whether the selection is another one
+   /// on any rank. What isn't needed any more stays: it may come back.
    bool Select(const mfem::Array<int> &needed);
    /// Restricts matrix and factors to the selected dofs and their neighbours.
    void Restrict();
@@ -75,11 +78,10 @@ private:
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
-   std::vector<mfem::Vector> weights_in_hierarchy;
    std::vector<const mfem::HypreParMatrix *> factors;
-   /// 1 for the dofs to solve for exactly, but for their neighbours.
-   mfem::Array<int> selected;
-   bool has_selection = false;
+   /// 1 for the dofs to solve for exactly, but for their neighbours; none
+   /// selected yet for other factors or another hierarchy.
+   std::optional<mfem::Array<int>> selected;
    mfem::Array<int> contact_dofs;
    /// Of the held dofs, their places among the contact dofs.
    mfem::Array<int> held_in_contact;
