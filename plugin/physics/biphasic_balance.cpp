@@ -13,11 +13,6 @@ using namespace mfem;
 void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
                                         Vector &mass) const
 {
-   Vector increment(stage.u);
-   increment -= stage.u0;
-   momentum.SetSize(stage.u.Size());
-   mass.SetSize(stage.p.Size());
-
    Vector loads(stage.momentum_load);
    Vector exchange(stage.p.Size());
    exchange = 0.0;
@@ -25,19 +20,8 @@ void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
    {
       pair->AddForces(loads, exchange);
    }
-   matrices.stiffness->Mult(stage.u, momentum);
-   matrices.divergence_transpose->Mult(-1.0, stage.p, 1.0, momentum);
+   bodies->Mult(stage, momentum, mass);
    momentum -= loads;
-
-   matrices.divergence->Mult(increment, mass);
-   matrices.darcy->Mult(stage.dt, stage.p, 1.0, mass);
-   if (matrices.stabilisation)
-   {
-      Vector pressure_increment(stage.p);
-      pressure_increment -= stage.p0;
-      matrices.stabilisation->Mult(1.0, pressure_increment, 1.0, mass);
-      mass -= stage.relief;
-   }
    mass.Add(stage.dt, exchange);
    mass.Add(-stage.dt, stage.mass_load);
    // Sums over supports and drained surfaces are taken on the host.
@@ -55,22 +39,6 @@ void BiphasicOperator::ComputeResidual(const Stage &stage,
    rigid.AddForces(stage.time, residual.GetBlock(0));
    residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
    residual.SyncFromBlocks();
-}
-
-Vector BiphasicOperator::FindRelief(const Stage &stage) const
-{
-   Vector relief(stage.p.Size());
-   relief = 0.0;
-   if (smooth_stabilisation)
-   {
-      const int nu = stage.u.Size();
-      const Vector pressure_rate(const_cast<Vector &>(rate), nu,
-                                 stage.p.Size());
-      smooth_stabilisation->Mult(pressure_rate, relief);
-      // After a jump the rate says nothing of a longer step.
-      relief *= std::min(stage.dt, rate_dt);
-   }
-   return relief;
 }
 
 ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
@@ -114,9 +82,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
       pair->AddMagnitudes(u, p, momentum, mass);
    }
    mass *= stage.dt;
-   matrices.stiffness->AbsMult(1.0, u, 1.0, momentum);
-   matrices.divergence->AbsMult(1.0, u, 1.0, mass);
-   matrices.darcy->AbsMult(stage.dt, p, 1.0, mass);
+   bodies->AddMagnitudes(stage.dt, u, p, momentum, mass);
    const real_t relative = options.linear.relative_tolerance;
    const real_t most = relative * volume;
    ResidualTolerance tolerance;
@@ -158,10 +124,8 @@ void BiphasicOperator::RecordBalance(const Stage &stage)
 {
    Vector mass;
    ComputeImbalance(stage, support, mass);
-   Vector increment(stage.u);
-   increment -= stage.u0;
-   Vector growth(mass.Size());
-   matrices.divergence->Mult(increment, growth);
+   Vector growth;
+   bodies->GetGrowth(stage, growth);
    real_t drained = 0.0;
    for (const int dof : jacobian->PressureDofs())
    {

@@ -1,6 +1,7 @@
 #include "physics/biphasic_operator.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
+#include "physics/linear_body_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,13 @@ private:
    StopWatch watch;
 };
 
-VolumeMatrices AssembleTimed(real_t &counter, BiphasicSpaces &spaces,
-                             const MaterialTable &materials)
+std::unique_ptr<BodyForm>
+AssembleTimed(real_t &counter, BiphasicSpaces &spaces,
+              const MaterialTable &materials,
+              const std::vector<SpringFoundation> &springs)
 {
    const PhaseTimer timer(counter);
-   return VolumeMatrices(spaces, materials);
+   return std::make_unique<LinearBodyForm>(spaces, materials, springs);
 }
 } // namespace
 
@@ -42,21 +45,17 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
    : TimeDependentOperator(spaces_.Offsets().Last(), 0.0, IMPLICIT),
      spaces(spaces_), conditions(conditions_), pairs(std::move(pairs_)),
      const_pairs(pairs.begin(), pairs.end()), options(options_),
-     matrices(AssembleTimed(times.assembly, spaces, materials)),
+     bodies(
+        AssembleTimed(times.assembly, spaces, materials, conditions.Springs())),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
      rate(height), support(spaces.Offsets()[1])
 {
    rate = 0.0;
    support = 0.0;
    work.assemblies++;
-   for (const SpringFoundation &springs : conditions.Springs())
-   {
-      matrices.stiffness.reset(
-         Add(1.0, *matrices.stiffness, 1.0, springs.Matrix()));
-   }
    jacobian = std::make_unique<BiphasicJacobian>(
-      matrices, spaces.Offsets(), conditions.DisplacementDofs(), const_pairs,
-      rigid.Any() ? &rigid : nullptr);
+      bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
+      const_pairs, rigid.Any() ? &rigid : nullptr);
    {
       const PhaseTimer timer(times.setup);
       linear = std::make_unique<BiphasicLinearSolver>(*jacobian, spaces,
@@ -68,12 +67,6 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
       Vector high;
       spaces.GetMesh().GetBoundingBox(low, high);
       extent = high.DistanceTo(low);
-   }
-   if (matrices.stabilisation)
-   {
-      const PhaseTimer timer(times.assembly);
-      smooth_stabilisation =
-         std::make_unique<SmoothStabilisation>(spaces, materials);
    }
    const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
    for (ContactPair *pair : pairs)
@@ -314,7 +307,8 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    conditions.SetDisplacement(stage.time, stage.u);
    conditions.SetPressure(stage.time, stage.p);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
-   stage.relief = FindRelief(stage);
+   const Vector pressure_rate(rate, nu, stage.p.Size());
+   bodies->StartStage(stage, pressure_rate, rate_dt);
    jacobian->SetTimeStep(stage.dt);
    for (ContactPair *pair : pairs)
    {

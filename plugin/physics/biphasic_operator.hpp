@@ -1,9 +1,8 @@
 #pragma once
 
 #include "contact/contact_pair.hpp"
+#include "physics/body_form.hpp"
 #include "physics/boundary_conditions.hpp"
-#include "physics/smooth_stabilisation.hpp"
-#include "physics/volume_matrices.hpp"
 #include "solvers/biphasic_linear_solver.hpp"
 
 #include <memory>
@@ -95,7 +94,7 @@ public:
    BiphasicSpaces &Spaces() { return spaces; }
    BoundaryConditions &Conditions() { return conditions; }
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
-   const VolumeMatrices &Volume() const { return matrices; }
+   const BodyForm &Bodies() const { return *bodies; }
    const RigidSurfaces &Rigid() const { return rigid; }
    const BiphasicLinearSolver &LinearSolver() const { return *linear; }
 
@@ -116,26 +115,16 @@ public:
    const FluidBalance &Fluid() const { return fluid; }
 
 private:
-   /// One implicit stage from the state (u0, p0).
-   struct Stage
+   /// One implicit stage with its loads.
+   struct Stage : BodyStage
    {
-      mfem::real_t dt = 0.0;
       mfem::real_t time = 0.0;
-      mfem::Vector u0;
-      mfem::Vector p0;
-      mfem::Vector u;
-      mfem::Vector p;
       mfem::Vector momentum_load;
       mfem::Vector mass_load;
-      /// What the stabilisation must not take, in the step (volume).
-      mfem::Vector relief;
    };
 
    bool SolveStage(Stage &stage);
    bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
-   /// The effect of the stabilisation on the smooth part of the pressure's
-   /// change, which is taken to go on as it went in the last stage.
-   mfem::Vector FindRelief(const Stage &stage) const;
    void Search(const Stage &stage);
    bool UpdateContact(Stage &stage);
    void Drain(Stage &stage);
@@ -157,9 +146,7 @@ private:
    ContactPairs const_pairs;
    NonlinearOptions options;
    PhaseTimes times;
-   VolumeMatrices matrices;
-   /// For order 1.
-   std::unique_ptr<SmoothStabilisation> smooth_stabilisation;
+   std::unique_ptr<BodyForm> bodies;
    RigidSurfaces rigid;
    /// Size of the mesh (length), where surfaces are driven.
    mfem::real_t extent = 0.0;

@@ -107,7 +107,8 @@ StepLimits Limits(const TimeOptions &options)
 TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
    : op(problem.Operator()), options(Checked(options_)), recorder(op),
      solver(MakeSolver(options.scheme)),
-     norm(op.Volume(), problem.Spaces().Offsets()), control(Limits(options)),
+     norm(op.Bodies().Tangent(), problem.Spaces().Offsets()),
+     control(Limits(options)),
      same_time(std::max(same_part *
                            (options.adaptive ? options.min_step : options.step),
                         round_off * options.end)),

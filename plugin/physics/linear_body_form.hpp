@@ -1,0 +1,53 @@
+#pragma once
+
+#include "physics/body_form.hpp"
+#include "physics/smooth_stabilisation.hpp"
+#include "physics/spring_foundation.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// Bodies of infinitesimal strain and linear laws:
+///
+///     momentum:  K u - B^T p
+///     mass:      B (u - u0) + dt L p + S (p - p0 - smooth part)
+///
+/// with matrices that never change.
+class LinearBodyForm : public BodyForm
+{
+public:
+   /// Assembles all matrices. Borrows @a spaces; the springs' stiffness counts
+   /// as that of the bodies.
+   LinearBodyForm(BiphasicSpaces &spaces, const MaterialTable &materials,
+                  const std::vector<SpringFoundation> &springs);
+
+   void StartStage(const BodyStage &stage, const mfem::Vector &pressure_rate,
+                   mfem::real_t rate_dt) override;
+   void Mult(const BodyStage &stage, mfem::Vector &momentum,
+             mfem::Vector &mass) const override;
+   void MultFromStart(const BodyStage &stage, mfem::Vector &momentum,
+                      mfem::Vector &mass) const override
+   {
+      Mult(stage, momentum, mass);
+   }
+   void GetGrowth(const BodyStage &stage, mfem::Vector &growth) const override;
+   void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
+                      const mfem::Vector &p, mfem::Vector &momentum,
+                      mfem::Vector &mass) const override;
+   std::string Objection(const BodyStage &) const override { return ""; }
+   bool Linearize(const BodyStage &) override { return false; }
+   const VolumeMatrices &Tangent() const override { return matrices; }
+
+private:
+   VolumeMatrices matrices;
+   /// For order 1.
+   std::unique_ptr<SmoothStabilisation> smooth_stabilisation;
+   /// What the stabilisation does to the smooth part of the pressure's change,
+   /// which it must not do, in the stage (volume).
+   mfem::Vector relief;
+};
+
+} // namespace synovia
