@@ -12,8 +12,8 @@ and growing from there.
               upper_contact, upper_top, upper_sides
 
 Sample runs:
-  python3 meshes/hertz.py -o hertz.msh
-  python3 meshes/hertz.py -o coarse.msh --size 1.5
+  scripts/python meshes/hertz.py -o hertz.msh
+  scripts/python meshes/hertz.py -o coarse.msh --size 1.5
 """
 
 from __future__ import annotations

@@ -24,9 +24,12 @@ the condyles and the front of the trochlea are cut off straight.
 A script gets a real knee's image, see scripts/get_knee_image --help.
 
 Sample runs:
-  python3 meshes/knee_from_segmentation.py IMAGE -o knee.msh    # 37,000 hexes
-  python3 meshes/knee_from_segmentation.py IMAGE --size 1.65    # 9,000
-  python3 meshes/knee_from_segmentation.py IMAGE --size 0.52    # 270,000
+  image=$(scripts/get_knee_image)
+  scripts/python meshes/knee_from_segmentation.py "$image" -o knee.msh
+  scripts/python meshes/knee_from_segmentation.py "$image" --size 1.65
+  scripts/python meshes/knee_from_segmentation.py "$image" --size 0.52
+
+These have 37,000, 9,000 and 270,000 hexahedra.
 """
 
 from __future__ import annotations
