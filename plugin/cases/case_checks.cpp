@@ -409,14 +409,28 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
       }
    }
 }
+
+void CheckMesh(const MeshCase &mesh, CaseReading &reading)
+{
+   if (mesh.file.empty() && !reading.Complained("mesh.file"))
+   {
+      reading.Complain("mesh.file", "the name is empty");
+   }
+   // Programs elsewhere are none of a case's business.
+   if (mesh.generator.script.find_first_of("/\\ ") != std::string::npos)
+   {
+      reading.Complain("mesh.generator",
+                       "found " + Quoted(mesh.generator.script) +
+                          "; the first string must be the name of a script in "
+                          "meshes/, without a path, and arguments are strings "
+                          "of their own");
+   }
+}
 } // namespace
 
 void CheckConsistency(const CaseFile &setup, CaseReading &reading)
 {
-   if (setup.mesh.file.empty() && !reading.Complained("mesh.file"))
-   {
-      reading.Complain("mesh.file", "the name is empty");
-   }
+   CheckMesh(setup.mesh, reading);
    CheckMaterials(setup, reading);
    CheckBoundaries(setup, reading);
    CheckContacts(setup, reading);

@@ -232,6 +232,10 @@ std::string TypeOf(const Curves &)
 {
    return "list of 3 curves";
 }
+std::string TypeOf(const MeshGenerator &)
+{
+   return "list of strings";
+}
 
 TomlText TextOf(const bool &value)
 {
@@ -282,6 +286,16 @@ TomlText TextOf(const Components &value)
 TomlText TextOf(const Curves &value)
 {
    return value ? ListText(*value, CurveText) : TomlText();
+}
+TomlText TextOf(const MeshGenerator &value)
+{
+   if (value.script.empty())
+   {
+      return TomlText();
+   }
+   std::vector<std::string> words{value.script};
+   words.insert(words.end(), value.arguments.begin(), value.arguments.end());
+   return ListText(words, Quoted);
 }
 
 void ReadValue(const CaseValue &from, const std::string &path, bool &value,
@@ -439,6 +453,31 @@ void ReadValue(const CaseValue &from, const std::string &path, Curves &value,
       curves[i] = curve.value_or(LoadCurve(0.0));
    }
    value = curves;
+}
+
+void ReadValue(const CaseValue &from, const std::string &path,
+               MeshGenerator &value, CaseReading &reading)
+{
+   const char *const expected =
+      "a list of strings: the name of a script in meshes/ and its arguments, "
+      "such as [\"boxes.py\", \"two_columns\"]";
+   if (!IsList(from, path, 0, expected, reading))
+   {
+      return;
+   }
+   std::vector<std::string> words(from.items.size());
+   for (size_t i = 0; i < words.size(); i++)
+   {
+      ReadValue(from.items[i], ItemPath(path, i), words[i], reading);
+   }
+   if (words.empty() ||
+       (words.front().empty() && !reading.Complained(ItemPath(path, 0))))
+   {
+      reading.Expect(path, expected, from);
+      return;
+   }
+   value.script = words.front();
+   value.arguments.assign(words.begin() + 1, words.end());
 }
 
 } // namespace synovia

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/case_reading.hpp"
+#include "cases/case_file.hpp"
 #include "general/load_curve.hpp"
 
 #include <array>
@@ -32,6 +32,7 @@ std::string TypeOf(const Numbers3 &);
 std::string TypeOf(const std::optional<LoadCurve> &);
 std::string TypeOf(const Components &);
 std::string TypeOf(const Curves &);
+std::string TypeOf(const MeshGenerator &);
 
 using TomlText = std::optional<std::string>;
 
@@ -46,6 +47,7 @@ TomlText TextOf(const Numbers3 &value);
 TomlText TextOf(const std::optional<LoadCurve> &value);
 TomlText TextOf(const Components &value);
 TomlText TextOf(const Curves &value);
+TomlText TextOf(const MeshGenerator &value);
 
 void ReadValue(const CaseValue &from, const std::string &path, bool &value,
                CaseReading &reading);
@@ -69,6 +71,8 @@ void ReadValue(const CaseValue &from, const std::string &path,
                Components &value, CaseReading &reading);
 void ReadValue(const CaseValue &from, const std::string &path, Curves &value,
                CaseReading &reading);
+void ReadValue(const CaseValue &from, const std::string &path,
+               MeshGenerator &value, CaseReading &reading);
 
 /// The forms of a curve, for those who look up what "curve" means.
 std::string CurveForms();

@@ -19,11 +19,21 @@ namespace synovia
 // Units are the case's own consistent set. `synovia --dry-schema` lists the
 // keys that stand for the members.
 
+/// What makes a mesh: the name of a script in meshes/, and its arguments. For
+/// users and scripts/run; the library runs none.
+struct MeshGenerator
+{
+   /// Empty: the mesh is made otherwise.
+   std::string script;
+   std::vector<std::string> arguments;
+};
+
 struct MeshCase
 {
    /// In a file, relative to its directory.
    std::string file;
    ReadOptions options;
+   MeshGenerator generator;
 };
 
 enum class SolidModel

@@ -29,6 +29,9 @@ KeyTable MeshKeys(MeshCase &mesh)
       .Value("refine", mesh.options.refine, "",
              "how often every element is split uniformly")
       .From(0, most_refinements);
+   keys.Value("generator", mesh.generator, "",
+              "what makes the mesh: a script in meshes/ and its arguments; "
+              "scripts/run CASE.toml runs it, synovia never does");
    return keys;
 }
 

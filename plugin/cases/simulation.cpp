@@ -35,6 +35,50 @@ const CaseFile &Checked(const CaseFile &setup)
    return setup;
 }
 
+bool IsRoot(MPI_Comm comm)
+{
+   int rank = 0;
+   MPI_Comm_rank(comm, &rank);
+   return rank == 0;
+}
+
+// Whether a file is there, as rank 0 sees it.
+bool IsThere(const std::string &file, MPI_Comm comm)
+{
+   int there = 0;
+   if (IsRoot(comm))
+   {
+      there = std::filesystem::exists(file);
+   }
+   MPI_Bcast(&there, 1, MPI_INT, 0, comm);
+   return there != 0;
+}
+
+// Whether there is one to go on with.
+bool HasHistory(const std::string &directory, MPI_Comm comm)
+{
+   return IsThere(directory + "/history.csv", comm);
+}
+
+// What makes a mesh that isn't there, if the case says so.
+std::string MeshAdvice(const CaseFile &setup, MPI_Comm comm)
+{
+   const MeshGenerator &generator = setup.mesh.generator;
+   if (generator.script.empty() || IsThere(setup.mesh.file, comm))
+   {
+      return "";
+   }
+   std::string command = "meshes/" + generator.script;
+   for (const std::string &argument : generator.arguments)
+   {
+      command += " " + argument;
+   }
+   const auto file = setup.places.find("");
+   return "; to make it and run the case: scripts/run " +
+          (file == setup.places.end() ? "CASE.toml" : file->second.source) +
+          "; to make it: scripts/python " + command + " -o " + setup.mesh.file;
+}
+
 NamedMesh ReadMesh(const CaseFile &setup, MPI_Comm comm)
 {
    try
@@ -43,27 +87,9 @@ NamedMesh ReadMesh(const CaseFile &setup, MPI_Comm comm)
    }
    catch (const Error &error) // on all ranks alike
    {
-      throw Error(WhereIs(setup.places, "mesh.file") + ": " + error.what());
+      throw Error(WhereIs(setup.places, "mesh.file") + ": " + error.what() +
+                  MeshAdvice(setup, comm));
    }
-}
-
-bool IsRoot(MPI_Comm comm)
-{
-   int rank = 0;
-   MPI_Comm_rank(comm, &rank);
-   return rank == 0;
-}
-
-// Whether there is one to go on with.
-bool HasHistory(const std::string &directory, MPI_Comm comm)
-{
-   int there = 0;
-   if (IsRoot(comm))
-   {
-      there = std::filesystem::exists(directory + "/history.csv");
-   }
-   MPI_Bcast(&there, 1, MPI_INT, 0, comm);
-   return there != 0;
 }
 
 std::string VersionsText()

@@ -164,6 +164,16 @@ class WrongCase(Driver):
         self.assert_error(
             self.run_it(self.case, "--set", 'mesh.file="none.msh"'),
             "mesh.file", "none.msh", "there is no such file")
+        (self.folder / "indentation.msh").unlink()
+        for ranks in (0, 3):
+            self.assert_error(
+                self.run_it("case.toml", "--check", ranks=ranks),
+                "case.toml:", "mesh.file", "indentation.msh",
+                "there is no such file", "scripts/run case.toml",
+                "scripts/python meshes/indentation.py -o indentation.msh")
+        self.change('generator = ["indentation.py"]', "")
+        self.assertNotIn("scripts/run",
+                         self.run_it("case.toml", "--check").stderr)
         (self.folder / "indentation.msh").write_text("solid\n")
         self.assert_error(self.run_it(self.case, "--check"), "case.toml:",
                           "mesh.file", "$MeshFormat")

@@ -96,6 +96,7 @@ TEST_CASE("A case file fills the structs", "[case]")
    CHECK(setup.mesh.file == "dir/boxes.msh");
    CHECK(setup.mesh.options.scale == 1000.0);
    CHECK(setup.mesh.options.refine == 0);
+   CHECK(setup.mesh.generator.script.empty());
    CHECK(setup.space.order == 2);
    REQUIRE(setup.materials.size() == 1);
    CHECK(setup.materials[0].regions ==
@@ -152,6 +153,20 @@ TEST_CASE("A case that is written reads back the same", "[case]")
    CHECK_FALSE(again.boundaries[1].displacement[0]);
 }
 
+TEST_CASE("A case says what makes its mesh", "[case]")
+{
+   const CaseFile setup =
+      ParseCase(Replaced(good, "scale = 1000",
+                         "generator = [\"hertz.py\", \"--size\", \"1.5\"]"),
+                "case.toml");
+   CHECK(setup.mesh.generator.script == "hertz.py");
+   CHECK(setup.mesh.generator.arguments ==
+         std::vector<std::string>{"--size", "1.5"});
+   CHECK_THAT(Written(setup),
+              Contains("generator = [\"hertz.py\", \"--size\", \"1.5\"]\n"));
+   CHECK_THAT(Written(ParseCase(good, "case.toml")), !Contains("generator"));
+}
+
 TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
 {
    struct Fault
@@ -201,6 +216,19 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
        "mesh = \"boxes.msh\"",
        {"mesh", "expected a table"}},
       {"[[contact]]", "[contact]", {"contact", "[[contact]]"}},
+      {"scale = 1000",
+       "generator = \"boxes.py two_columns\"",
+       {"case.toml:4:13: mesh.generator: found the string",
+        "expected a list of strings", "[\"boxes.py\", \"two_columns\"]"}},
+      {"scale = 1000",
+       "generator = [\"boxes.py\", 2]",
+       {"mesh.generator.1: found the integer 2; expected a string"}},
+      {"scale = 1000",
+       "generator = []",
+       {"mesh.generator: found an empty list; expected a list of strings"}},
+      {"scale = 1000",
+       "generator = [\"\", \"two_columns\"]",
+       {"mesh.generator: found a list of 2; expected a list of strings"}},
       {"end = 20", "end = 2026-01-01", {"time.end", "a date or time"}},
       // Numbers out of range
       {"E = 0.5",
@@ -253,6 +281,12 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
        {"material.0.regions", "no region is named"}},
       {"source = [\"upper_face\"]", "source = [\"\"]", {"name is empty"}},
       // Contradictions
+      {"scale = 1000",
+       "generator = [\"../boxes.py\"]",
+       {"mesh.generator: found \"../boxes.py\"", "without a path"}},
+      {"scale = 1000",
+       "generator = [\"boxes.py two_columns\"]",
+       {"mesh.generator", "arguments are strings of their own"}},
       {"[\"lower\", \"upper\"]",
        "[\"lower\", \"lower\"]",
        {"material.0.regions.1", "named twice"}},
@@ -420,7 +454,7 @@ TEST_CASE("The list of keys has them all", "[case]")
    ListCaseKeys(out);
    const std::string text = out.str();
    for (const char *key :
-        {"mesh.file ", "mesh.scale ", "material.N.solid.E ",
+        {"mesh.file ", "mesh.scale ", "mesh.generator ", "material.N.solid.E ",
          "material.N.solid.nu_rtheta ", "material.N.frame.axis ",
          "boundary.N.displacement ", "boundary.N.normal_traction ",
          "boundary.N.spring.stiffness ", "boundary.N.force.curve ",
