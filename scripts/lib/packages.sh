@@ -1,7 +1,8 @@
 # System packages. To be sourced after common.sh.
 # shellcheck shell=bash
 
-# The packages of packages.txt that are not installed, one a line.
+# missing_packages FILE...: the packages of these lists that are not installed,
+# one a line.
 missing_packages()
 {
    local -A installed=()
@@ -18,7 +19,7 @@ missing_packages()
          [[ -z ${installed[$choice]:-} ]] || continue 2
       done
       echo "${line%%|*}"
-   done <"$SYNOVIA_SCRIPTS/packages.txt"
+   done < <(cat "$@")
 }
 
 as_root()
@@ -26,16 +27,16 @@ as_root()
    if ((EUID == 0)); then env "$@"; else sudo env "$@"; fi
 }
 
+# install_packages FILE...: those of these lists.
 install_packages()
 {
    if ! have dpkg-query || ! have apt-get
    then
-      warn "this is not Debian; the packages of scripts/packages.txt are" \
-         "taken to be there"
+      warn "this is not Debian; the packages of $* are taken to be there"
       return
    fi
    local missing
-   mapfile -t missing < <(missing_packages)
+   mapfile -t missing < <(missing_packages "$@")
    if ((${#missing[@]} > 0))
    then
       say "installing packages: ${missing[*]}"
@@ -54,10 +55,14 @@ install_packages()
       as_root "${apt[@]}" --fix-broken --no-install-recommends install \
          "${missing[@]}" || die "apt-get could not install the packages" \
          "$advice" "Synovia's package names are those of Debian 12."
-      mapfile -t missing < <(missing_packages)
+      mapfile -t missing < <(missing_packages "$@")
       ((${#missing[@]} == 0)) ||
          die "packages are still missing: ${missing[*]}" "$advice"
    fi
+}
+
+check_blas()
+{
    local blas
    blas=$(readlink -f "/usr/lib/$(gcc -print-multiarch)/libblas.so.3")
    [[ $blas == *openblas* ]] ||

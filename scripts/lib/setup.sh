@@ -3,8 +3,6 @@
 
 # shellcheck source=scripts/lib/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-# shellcheck source=scripts/lib/packages.sh
-source "$SYNOVIA_SCRIPTS/lib/packages.sh"
 # shellcheck source=scripts/lib/python.sh
 source "$SYNOVIA_SCRIPTS/lib/python.sh"
 # shellcheck source=scripts/lib/mfem.sh
@@ -14,7 +12,9 @@ source "$SYNOVIA_SCRIPTS/lib/mfem.sh"
 setup_all()
 {
    take_lock 9 "$SYNOVIA_CACHE/lock"
-   install_packages
+   install_packages "$SYNOVIA_SCRIPTS/packages.txt" \
+      "$SYNOVIA_SCRIPTS/packages-python.txt"
+   check_blas
    setup_python
    setup_mfem
    exec 9>&-
