@@ -202,7 +202,7 @@ class WrongCase(Driver):
         self.assert_error(
             self.run_it(self.case, "--check", "--set",
                         "output.line.axis.to=[0, 0, 9]"),
-            "output.line.0", "axis")
+            "output.line.3: line 'axis'")
 
     def test_damaged(self) -> None:
         text = self.case.read_text()
