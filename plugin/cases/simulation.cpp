@@ -150,6 +150,7 @@ TimeStepper &Simulation::Stepper()
                               line.times.end());
       }
       stepper = std::make_unique<TimeStepper>(problem.Get(), options);
+      strains = std::make_unique<StrainMonitor>(mesh, stepper->Displacement());
    }
    return *stepper;
 }
@@ -355,7 +356,15 @@ StepReport Simulation::Step()
 
 void Simulation::Record(const StepReport &report)
 {
-   history->Add(StepDiagnostics(problem.Get(), *stepper, report));
+   const StrainExtremes now = strains->Measure();
+   History::Row row = StepDiagnostics(problem.Get(), *stepper, report);
+   AddStrains(row, now);
+   history->Add(row);
+   const std::string warning = strain_record.Add(now, report.time);
+   if (!warning.empty())
+   {
+      Say("warning: " + warning);
+   }
    const int every = setup.output.fields_every;
    if (fields && (stepper->Steps() % every == 0 || stepper->Done()))
    {
@@ -410,6 +419,11 @@ void Simulation::Finish()
         << " s, assembly " << phases.assembly << " s, output " << output_seconds
         << " s";
    Say(text.str());
+   const std::string largest = strain_record.Summary();
+   if (!largest.empty())
+   {
+      Say(largest);
+   }
 }
 
 } // namespace synovia

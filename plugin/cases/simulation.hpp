@@ -2,6 +2,7 @@
 
 #include "cases/case_file.hpp"
 #include "cases/case_problem.hpp"
+#include "cases/strain_record.hpp"
 #include "general/stop_request.hpp"
 #include "io/field_output.hpp"
 #include "io/history.hpp"
@@ -80,6 +81,8 @@ private:
    NamedMesh mesh;
    CaseProblem problem;
    std::unique_ptr<TimeStepper> stepper;
+   std::unique_ptr<StrainMonitor> strains;
+   StrainRecord strain_record;
    std::unique_ptr<RunLog> log;
    std::unique_ptr<History> history;
    std::unique_ptr<FieldOutput> fields;

@@ -111,4 +111,10 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    return row;
 }
 
+void AddStrains(History::Row &row, const StrainExtremes &strains)
+{
+   row.emplace_back("strain.max_principal", strains.max_principal.value);
+   row.emplace_back("strain.min_det_F", strains.min_det_F.value);
+}
+
 } // namespace synovia

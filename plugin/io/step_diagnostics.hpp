@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/history.hpp"
+#include "physics/strain_monitor.hpp"
 #include "solvers/time_stepper.hpp"
 
 namespace synovia
@@ -26,5 +27,8 @@ namespace synovia
 /// Collective.
 History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
                              const StepReport &report);
+
+/// Adds strain.max_principal and strain.min_det_F.
+void AddStrains(History::Row &row, const StrainExtremes &strains);
 
 } // namespace synovia
