@@ -29,17 +29,13 @@ from __future__ import annotations
 import argparse
 import sys
 
-try:
-    import gmsh
-except ImportError:
-    sys.exit("boxes.py: error: the gmsh module is missing: install "
-             "python3-gmsh (Debian) or 'pip install gmsh'")
+import mesh_script
 
+import gmsh
 import numpy as np
 
 import gmsh_bodies
 import indentation
-import mesh_script
 from gmsh_bodies import Body
 
 QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types

@@ -35,18 +35,14 @@ from __future__ import annotations
 import argparse
 import sys
 
-try:
-    import gmsh
-except ImportError:
-    sys.exit("glenohumeral.py: error: the gmsh module is missing: install "
-             "python3-gmsh (Debian) or 'pip install gmsh'")
+import mesh_script
 
+import gmsh
 import numpy as np
 
 import curved_layer
 import gmsh_bodies
 import hexahedral_sweep
-import mesh_script
 import quad_plane
 from curved_layer import Surface
 from gmsh_bodies import Body

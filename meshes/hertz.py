@@ -21,16 +21,11 @@ from __future__ import annotations
 import argparse
 import sys
 
-try:
-    import gmsh  # noqa: F401
-except ImportError:
-    sys.exit("hertz.py: error: the gmsh module is missing: install "
-             "python3-gmsh (Debian) or 'pip install gmsh'")
+import mesh_script
 
 import numpy as np
 
 import gmsh_bodies
-import mesh_script
 from gmsh_bodies import Body
 from lagrange_element import (
     HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE, QUADRANGLE_NODES)

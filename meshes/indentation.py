@@ -36,14 +36,11 @@ import argparse
 import math
 import sys
 
-try:
-    import gmsh
-except ImportError:
-    sys.exit("indentation.py: error: the gmsh module is missing: install "
-             "python3-gmsh (Debian) or 'pip install gmsh'")
+import mesh_script
+
+import gmsh
 
 import gmsh_bodies
-import mesh_script
 from gmsh_bodies import Body
 
 REGIONS = {"cartilage": 1, "indenter": 2}

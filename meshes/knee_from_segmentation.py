@@ -21,13 +21,12 @@ it is clear of the tibial cartilage, and the menisci are fitted between the two:
 gaps of less than a voxel are closed, larger ones stay. The posterior ends of
 the condyles and the front of the trochlea are cut off straight.
 
-A script gets a real knee's image, see scripts/get_knee_image --help.
+Without IMAGE it is that of a real knee: see scripts/get_knee_image --help.
 
 Sample runs:
-  image=$(scripts/get_knee_image)
-  scripts/python meshes/knee_from_segmentation.py "$image" -o knee.msh
-  scripts/python meshes/knee_from_segmentation.py "$image" --size 1.65
-  scripts/python meshes/knee_from_segmentation.py "$image" --size 0.52
+  scripts/python meshes/knee_from_segmentation.py -o knee.msh
+  scripts/python meshes/knee_from_segmentation.py --size 1.65
+  scripts/python meshes/knee_from_segmentation.py IMAGE --size 0.52
 
 These have 37,000, 9,000 and 270,000 hexahedra.
 """
@@ -35,22 +34,20 @@ These have 37,000, 9,000 and 270,000 hexahedra.
 from __future__ import annotations
 
 import argparse
+import pathlib
+import subprocess
 import sys
 
-try:
-    import gmsh  # noqa: F401
-    import numpy as np
+import mesh_script
 
-    import knee_joint
-    import knee_mesh_file
-    import label_image
-    import mesh_script
-    from label_femur import femoral_axis, femoral_layer
-    from label_meniscus import meniscus
-    from label_tibia import tibial_layer
-except ImportError as missing:
-    sys.exit(f"knee_from_segmentation.py: error: {missing}; scripts/setup "
-             "installs what scripts/requirements.txt lists")
+import numpy as np
+
+import knee_joint
+import knee_mesh_file
+import label_image
+from label_femur import femoral_axis, femoral_layer
+from label_meniscus import meniscus
+from label_tibia import tibial_layer
 
 # Label numbers of the option's default.
 LABELS = {knee_joint.FEMUR: 1, knee_joint.TIBIA["medial"]: 2,
@@ -77,8 +74,19 @@ def labels(text: str) -> dict[str, int]:
     return found
 
 
+def image_of_a_real_knee() -> str:
+    """Its file, which is downloaded the first time."""
+    script = pathlib.Path(__file__).resolve().parents[1] \
+        / "scripts" / "get_knee_image"
+    found = subprocess.run([script], stdout=subprocess.PIPE, text=True)
+    if found.returncode != 0:
+        raise RuntimeError(f"{script} gets no image (see above); name one")
+    return found.stdout.strip()
+
+
 def anatomy(args: argparse.Namespace
             ) -> tuple[knee_joint.Anatomy, list[str]]:
+    args.image = args.image or image_of_a_real_knee()
     image = label_image.read(args.image)
     voxel = " x ".join(f"{edge:.3f}" for edge in image.voxel())
     centres = [label_image.Tissue(image, args.labels[name], name).points
@@ -115,7 +123,9 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("image", help="labelled image: .nrrd, .nii or .nii.gz")
+    parser.add_argument("image", nargs="?",
+                        help="labelled image: .nrrd, .nii or .nii.gz; left "
+                             "out, that of scripts/get_knee_image")
     knee_joint.add_options(parser, "knee.msh")
     parser.add_argument("--labels", type=labels, default=dict(LABELS),
                         metavar="REGION=NUMBER,...",

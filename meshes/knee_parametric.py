@@ -37,19 +37,15 @@ from __future__ import annotations
 import argparse
 import sys
 
-try:
-    import gmsh  # noqa: F401
-    import numpy as np
+import mesh_script
 
-    import knee_joint
-    import knee_mesh_file
-    import mesh_script
-    from cartilage_layer import Cylinder, Layer, Vertical
-    from cartilage_outline import FemoralOutline
-    from meniscus_wedge import Meniscus
-except ImportError as missing:
-    sys.exit(f"knee_parametric.py: error: {missing}; scripts/setup installs "
-             "what scripts/requirements.txt lists")
+import numpy as np
+
+import knee_joint
+import knee_mesh_file
+from cartilage_layer import Cylinder, Layer, Vertical
+from cartilage_outline import FemoralOutline
+from meniscus_wedge import Meniscus
 
 CONDYLE = 22.0          # x of the condyles' lowest points
 BEHIND, IN_FRONT = 22.0, 32.0   # sagittal radii of the femur

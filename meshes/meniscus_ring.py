@@ -31,20 +31,16 @@ from __future__ import annotations
 import argparse
 import sys
 
-try:
-    import gmsh  # noqa: F401
-    import numpy as np
+import mesh_script
 
-    import gmsh_bodies
-    import knee_checks
-    import knee_joint
-    import mesh_script
-    from gmsh_bodies import Body
-    from hexahedral_sweep import quads_of, sweep
-    from quad_plane import QuadMesh, disc, join, quarter_disc, radii_of_disc
-except ImportError as missing:
-    sys.exit(f"meniscus_ring.py: error: {missing}; scripts/setup installs "
-             "what scripts/requirements.txt lists")
+import numpy as np
+
+import gmsh_bodies
+import knee_checks
+import knee_joint
+from gmsh_bodies import Body
+from hexahedral_sweep import quads_of, sweep
+from quad_plane import QuadMesh, disc, join, quarter_disc, radii_of_disc
 
 FEMUR, TIBIA, MENISCUS = "femoral_cartilage", "tibial_cartilage", "meniscus"
 REGIONS = {FEMUR: 1, TIBIA: 2, MENISCUS: 3}

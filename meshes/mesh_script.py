@@ -1,16 +1,24 @@
-"""What the mesh scripts share: options, and the way from a model to a file."""
+"""What the mesh scripts share: options, and the way from a model to a file.
+
+They import it first: it says how to run them where modules are missing.
+"""
 
 from __future__ import annotations
 
 import argparse
 import math
 import os
+import pathlib
 import sys
 from typing import Callable
 
-import gmsh
+sys.path.append(str(
+    pathlib.Path(__file__).resolve().parents[1] / "scripts" / "lib"))
 
-import mesh_quality
+import missing_module  # noqa: E402,F401
+import gmsh  # noqa: E402
+
+import mesh_quality  # noqa: E402
 
 
 def positive(text: str) -> float:

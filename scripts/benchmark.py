@@ -26,6 +26,8 @@ import sys
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(SCRIPTS / "lib"))
 
+import missing_module  # noqa: E402,F401
+
 import benchmark_plots as plots  # noqa: E402
 import benchmark_sweeps as sweeps  # noqa: E402
 import figure_style as style  # noqa: E402

@@ -25,6 +25,8 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 
+import missing_module  # noqa: E402,F401
+
 import numpy as np  # noqa: E402
 
 import figure_style as style  # noqa: E402

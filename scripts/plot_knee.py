@@ -33,6 +33,8 @@ from typing import NamedTuple
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 
+import missing_module  # noqa: E402,F401
+
 import numpy as np  # noqa: E402
 from matplotlib.figure import FigureBase  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402

@@ -22,6 +22,8 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
 
+import missing_module  # noqa: E402,F401
+
 import gmsh  # noqa: E402
 import matplotlib.image  # noqa: E402
 import numpy as np  # noqa: E402
