@@ -12,7 +12,7 @@ namespace synovia
 ///
 /// Ctrl-C at Open MPI's mpirun leaves the ranks a second, or what its parameter
 /// odls_base_sigkill_timeout says, before it kills them. It hands SIGUSR1 on
-/// and waits: kill -USR1 <mpirun> is the way to stop a run of long steps.
+/// and waits: `kill -USR1 <mpirun>` is the way to stop a run of long steps.
 class StopRequest
 {
 public:

@@ -10,7 +10,7 @@ namespace synovia
 
 /// Writes everything that a run needs to go on from where it is into @a
 /// directory, which is made where needed, and returns the name of the file,
-/// checkpoint_<steps>.h5.
+/// `checkpoint_<steps>.h5`.
 ///
 /// It is an HDF5 file that is there as a whole or not at all, and checked when
 /// it is read. It holds the same on any number of ranks, and can be read on any

@@ -11,11 +11,12 @@
 namespace synovia
 {
 
-/// The fields of a problem for ParaView, below <directory>/fields.
+/// The fields of a problem for ParaView, below `<directory>/fields`.
 ///
 /// bodies: displacement, velocity, fluid_pressure, relative_flux, total_stress,
 /// effective_stress, principal_stress (total, largest first), region.
-/// contact_<pair>: contact_pressure, gap and contact_status on the destination.
+/// `contact_<pair>`: contact_pressure, gap and contact_status on the
+/// destination.
 class FieldOutput
 {
 public:

@@ -51,7 +51,7 @@ public:
    /// another number of components than it has columns.
    SampledTable Sample(const std::vector<SampledField> &fields) const;
 
-   /// Writes what Sample() gives to @a directory/<name>_t<time>.csv, making
+   /// Writes what Sample() gives to `<directory>/<name>_t<time>.csv`, making
    /// the directory where needed. Collective; rank 0 writes. Throws Error on
    /// all ranks if that fails.
    void Write(const std::string &directory, mfem::real_t time,

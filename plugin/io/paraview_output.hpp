@@ -9,7 +9,7 @@ namespace synovia
 {
 
 /// Time series of fields on a mesh for ParaView, in files
-/// <directory>/<name>/<name>.pvd and below.
+/// `<directory>/<name>/<name>.pvd` and below.
 ///
 /// Binary, compressed, with curved elements and fields of high order. Fields on
 /// a surface go to a ParaViewOutput of their own with the ParSubMesh that was
