@@ -20,7 +20,6 @@ from __future__ import annotations
 import argparse
 import os
 import pathlib
-import platform
 import sys
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent
@@ -31,6 +30,7 @@ import missing_module  # noqa: E402,F401
 import benchmark_plots as plots  # noqa: E402
 import benchmark_sweeps as sweeps  # noqa: E402
 import figure_style as style  # noqa: E402
+import machine  # noqa: E402
 from benchmark_runs import (  # noqa: E402
     BenchmarkError, Row, Runner, Store, write_table)
 from benchmark_sweeps import Sweep  # noqa: E402
@@ -47,16 +47,6 @@ TITLES = {"size": "Size and order", "permeability": "Permeability",
           "jump": "Stiffness jump", "penalty": "Penalty",
           "solver": "Solvers", "strong": "Ranks: the same problem",
           "weak": "Ranks: the same share"}
-
-
-def processor() -> str:
-    try:
-        for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or platform.machine()
 
 
 class Benchmark:
@@ -94,7 +84,7 @@ class Benchmark:
     def write(self) -> None:
         style.use_style()
         page = Page("Synovia: measurements",
-                    [f"{processor()}, {os.cpu_count()} processors",
+                    [f"{machine.processor()}, {os.cpu_count()} processors",
                      "Two curved layers in contact, miniapps/scaling. Linear "
                      "systems are solved to a relative tolerance of 1e-8; "
                      "where solvers are compared, to 1e-4 while the active set "

@@ -39,3 +39,17 @@ build()
       --parallel "$(parallel_jobs)" ||
       die "the build in $directory failed (see above)"
 }
+
+# get_ready TARGET: sets build_dir, where that program is, and SYNOVIA_PYTHON.
+get_ready()
+{
+   if [[ -n ${SYNOVIA_BUILD_DIR:-} ]]
+   then
+      build_dir=$SYNOVIA_BUILD_DIR
+      setup_python_alone
+   else
+      build_dir=$SYNOVIA_SOURCE_DIR/build
+      setup_all
+      build "$build_dir" "$1" -DSYNOVIA_BUILD_MINIAPPS=ON
+   fi
+}
