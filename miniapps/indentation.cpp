@@ -23,10 +23,12 @@
 // scripts/plot_indentation.py draws the paper's pictures from them.
 //
 // Sample runs (scripts/run does all of it):
-//   python3 meshes/indentation.py -o indentation.msh
+//   scripts/python meshes/indentation.py -o indentation.msh
 //   mpirun -np 2 indentation --mesh indentation.msh
-//   mpirun -np 2 indentation --mesh indentation.msh --rigid --scheme sdirk33
-//   mpirun -np 2 indentation --mesh indentation.msh --solver direct
+//   mpirun -np 2 indentation --mesh indentation.msh --rigid --scheme sdirk33 \
+//     --output out/rigid
+//   mpirun -np 2 indentation --mesh indentation.msh --solver block_amg \
+//     --output out/block_amg
 
 #include "synovia.hpp"
 

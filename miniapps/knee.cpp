@@ -33,9 +33,9 @@
 // same problem for the driver; scripts/plot_knee.py draws the pictures.
 //
 // Sample runs:
-//   python3 meshes/knee_parametric.py -o knee.msh
+//   scripts/python meshes/knee_parametric.py -o knee.msh
 //   mpirun -np 2 knee --mesh knee.msh
-//   mpirun -np 2 knee --mesh knee.msh --shear 0.1 --order 2
+//   mpirun -np 2 knee --mesh knee.msh --shear 0.1 --order 2 --output out/order_2
 
 #include "synovia.hpp"
 

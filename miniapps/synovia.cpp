@@ -13,7 +13,8 @@
 // checkpoint; --resume goes on from it, on any number of ranks.
 //
 // Sample runs:
-//   cd miniapps/cases && python3 ../../meshes/boxes.py confined_compression
+//   cd miniapps/cases
+//   ../../scripts/python ../../meshes/boxes.py confined_compression
 //   mpirun -np 2 synovia confined_compression.toml
 //   synovia confined_compression.toml --check
 //   synovia confined_compression.toml --set time.step=50 --output out/coarse
