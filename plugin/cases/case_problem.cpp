@@ -1,9 +1,9 @@
 #include "cases/case_problem.hpp"
-#include "cases/body.hpp"
 #include "general/error.hpp"
 #include "materials/isotropic_elastic.hpp"
 #include "materials/transversely_isotropic.hpp"
 #include "mesh/surface_centre.hpp"
+#include "physics/body.hpp"
 
 #include <map>
 

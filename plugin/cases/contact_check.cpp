@@ -1,6 +1,7 @@
 #include "cases/contact_check.hpp"
 #include "general/error.hpp"
 #include "general/reduce.hpp"
+#include "physics/first_approach.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -45,34 +46,56 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
 {
    const NamedMesh &mesh = problem.Get().Mesh();
    BiphasicSpaces &spaces = problem.Get().Spaces();
-   Vector u(spaces.Displacement().GetTrueVSize());
-   Vector p(spaces.Pressure().GetTrueVSize());
-   u = 0.0;
-   p = 0.0;
-   std::vector<PairAtStart> pairs;
+   std::vector<std::unique_ptr<ContactPair>> pairs;
+   std::vector<ContactPair *> borrowed;
+   std::vector<PairAtStart> found;
    CaseReading reading(setup.places);
-   for (size_t i = 0; i < setup.contacts.size(); i++)
+   const auto complain = [&](size_t i, auto check)
    {
-      const ContactCase &contact = setup.contacts[i];
       try
       {
-         ContactPair pair(contact.Name(), spaces, problem.Get().Materials(),
-                          Attributes(mesh, contact.source),
-                          Attributes(mesh, contact.destination),
-                          contact.options);
-         pair.SetTimeStep(setup.time.step);
-         pair.Search(u);
-         pair.Evaluate(u, p);
-         pairs.push_back({pair.Name(), LeastGap(pair), pair.GapTolerance(),
-                          pair.SearchRadius()});
+         check();
       }
       catch (const Error &error) // on all ranks alike
       {
          reading.Complain("contact." + std::to_string(i), error.what());
       }
+   };
+   for (size_t i = 0; i < setup.contacts.size(); i++)
+   {
+      const ContactCase &contact = setup.contacts[i];
+      complain(i,
+               [&]()
+               {
+                  pairs.push_back(std::make_unique<ContactPair>(
+                     contact.Name(), spaces, problem.Get().Materials(),
+                     Attributes(mesh, contact.source),
+                     Attributes(mesh, contact.destination), contact.options));
+                  borrowed.push_back(pairs.back().get());
+                  borrowed.back()->LookAsMeshed();
+               });
    }
    reading.ThrowIfAny();
-   return pairs;
+   const Vector u = MakeFirstApproach(FindBodies(mesh, spaces), spaces,
+                                      problem.Get().Conditions(), borrowed)
+                       .displacement;
+   Vector p(spaces.Pressure().GetTrueVSize());
+   p = 0.0;
+   for (size_t i = 0; i < pairs.size(); i++)
+   {
+      complain(i,
+               [&]()
+               {
+                  ContactPair &pair = *pairs[i];
+                  pair.SetTimeStep(setup.time.step);
+                  pair.Search(u);
+                  pair.Evaluate(u, p);
+                  found.push_back({pair.Name(), LeastGap(pair),
+                                   pair.GapTolerance(), pair.SearchRadius()});
+               });
+   }
+   reading.ThrowIfAny();
+   return found;
 }
 
 } // namespace synovia

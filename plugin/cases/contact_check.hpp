@@ -19,7 +19,8 @@ struct PairAtStart
    mfem::real_t search_radius = 0.0;
 };
 
-/// Makes each contact pair for itself and lets it search once. Collective.
+/// Makes all contact pairs and lets each search once where the run starts, see
+/// FirstApproach. Collective.
 /// Throws Error that lists those that can't be, with their places.
 std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                                       CaseProblem &problem);

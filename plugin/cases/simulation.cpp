@@ -213,6 +213,11 @@ void Simulation::Start()
       log->Add("contact pair \"" + pair.name + "\": least gap at the start " +
                ToText(pair.least_gap));
    }
+   for (const FirstApproach::Move &move :
+        problem.Get().Operator().Start().moves)
+   {
+      Say(ToText(move));
+   }
    DiscardCheckpoints(CheckpointDirectory(), comm);
 }
 

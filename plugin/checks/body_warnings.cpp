@@ -1,5 +1,5 @@
 #include "checks/body_warnings.hpp"
-#include "cases/body.hpp"
+#include "physics/body.hpp"
 #include "checks/region_measures.hpp"
 
 namespace synovia

@@ -3,6 +3,7 @@
 #include "general/error.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
+#include "physics/node_positions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,18 +56,6 @@ void VerifyOptions(const std::string &name, const ContactOptions &options)
                   ", for which MFEM's rule on triangles has negative weights; "
                   "it must be between 1 and 25, but not 3");
    }
-}
-
-Vector NodePositions(ParFiniteElementSpace &space)
-{
-   ParGridFunction position(&space);
-   VectorFunctionCoefficient identity(3, [](const Vector &x, Vector &value)
-                                      { value = x; });
-   position.ProjectCoefficient(identity);
-   Vector true_dofs;
-   position.GetTrueDofs(true_dofs);
-   true_dofs.HostReadWrite();
-   return true_dofs;
 }
 } // namespace
 
@@ -160,15 +149,13 @@ bool ContactPair::Search(const Vector &u)
 {
    if (!reached)
    {
-      StartFromMesh();
+      LookAsMeshed();
+      VerifyReach();
+      reached = true;
    }
    if (options.configuration == SearchConfiguration::current)
    {
-      u.HostRead();
-      source.SetDisplacement(u);
-      destination.SetDisplacement(u);
-      add(reference_positions, u, searched_positions);
-      Assemble();
+      LookAt(u);
    }
    else if (searched)
    {
@@ -195,9 +182,17 @@ void ContactPair::Assemble()
    }
 }
 
-void ContactPair::StartFromMesh()
+void ContactPair::LookAt(const Vector &u)
 {
+   u.HostRead();
+   source.SetDisplacement(u);
+   destination.SetDisplacement(u);
+   add(reference_positions, u, searched_positions);
    Assemble();
+}
+
+void ContactPair::VerifyReach() const
+{
    if (!(SumOverRanks(operators.area.Sum(), comm) > 0.0))
    {
       throw Error("contact pair \"" + name +
@@ -207,6 +202,15 @@ void ContactPair::StartFromMesh()
                   "; check the names of the surfaces and the initial gap, or "
                   "give a larger search_radius");
    }
+}
+
+void ContactPair::LookAsMeshed()
+{
+   if (operators.gap)
+   {
+      return;
+   }
+   Assemble();
    real_t deepest = 0.0;
    for (int j = 0; j < operators.area.Size(); j++)
    {
@@ -229,7 +233,6 @@ void ContactPair::StartFromMesh()
          " as meshed, more than overlap_limit = " + ToText(overlap_limit) +
          "; move the bodies apart in the mesh, or allow for more");
    }
-   reached = true;
 }
 
 void ContactPair::SetPenalties()
@@ -280,13 +283,10 @@ void ContactPair::Evaluate(const Vector &u, const Vector &p)
 
 real_t ContactPair::TouchingGap() const
 {
-   // Around the point where they touch, weighted gaps of round surfaces are a
-   // small part of the size of the faces.
-   constexpr real_t graze = 0.05;
    real_t nearest = std::numeric_limits<real_t>::infinity();
    for (int j = 0; j < gap.Size(); j++)
    {
-      if (operators.area[j] > 0.0 && gap[j] < graze * operators.face_size[j])
+      if (operators.area[j] > 0.0 && gap[j] < GrazingGap(j))
       {
          nearest = std::min(nearest, gap[j]);
       }

@@ -102,11 +102,19 @@ public:
    /// Prepares for steps of length @a dt (time); until then for steady flow.
    void SetTimeStep(mfem::real_t dt);
 
+   /// Lets the undeformed surfaces look for each other, unless they have done
+   /// so. Collective. Throws Error if they overlap too deeply.
+   void LookAsMeshed();
+   /// Lets the surfaces look for each other at displacement @a u (true dofs):
+   /// before the first Search() for where the run is to start, which stands for
+   /// the undeformed configuration then. Collective.
+   void LookAt(const mfem::Vector &u);
+
    /// Moves the surfaces to displacement @a u (true dofs), searches, and
    /// assembles the gap operators, unless they hold for good; says whether it
-   /// did. Collective. The first call looks at the undeformed surfaces before:
-   /// it throws Error if nothing is within the search radius, or if the
-   /// surfaces overlap too deeply.
+   /// did. Collective. The first call looks as meshed before, unless that, or
+   /// where to start, was looked at; it throws Error if nothing is within the
+   /// search radius.
    bool Search(const mfem::Vector &u);
    const GapOperators &Operators() const { return operators; }
 
@@ -215,6 +223,12 @@ public:
    /// 1 in contact, 0 not.
    const mfem::Vector &Status() const { return active; }
    mfem::real_t GapTolerance() const { return gap_tolerance; }
+   /// Weighted gaps of round surfaces that touch at a point are a small part of
+   /// the size of the faces around it (length).
+   mfem::real_t GrazingGap(int vertex) const
+   {
+      return 0.05 * operators.face_size[vertex];
+   }
    mfem::real_t SearchRadius() const { return gap_options.search_radius; }
 
 private:
@@ -226,7 +240,7 @@ private:
    mfem::real_t TouchingGap() const;
    void SetPenalties();
    void Assemble();
-   void StartFromMesh();
+   void VerifyReach() const;
    mfem::real_t FluidLoadSupport() const;
    /// What Evaluate(), UpdateActiveSet() and Augment() set.
    std::array<mfem::Vector *, 10> WorkingVectors();

@@ -38,6 +38,7 @@ AssembleTimed(real_t &counter, BiphasicSpaces &spaces,
 } // namespace
 
 BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
+                                   const std::vector<Body> &body_list,
                                    const MaterialTable &materials,
                                    BoundaryConditions &conditions_,
                                    std::vector<ContactPair *> pairs_,
@@ -48,7 +49,8 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
      bodies(
         AssembleTimed(times.assembly, spaces, materials, conditions.Springs())),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
-     rate(height), support(spaces.Offsets()[1])
+     start(MakeFirstApproach(body_list, spaces, conditions, pairs)), rate(height),
+     support(spaces.Offsets()[1])
 {
    rate = 0.0;
    support = 0.0;
@@ -188,6 +190,11 @@ void BiphasicOperator::Archive(StateArchive &archive)
    archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
    archive.Number("rate.length", accepted.rate_dt);
    archive.Flag("started", accepted.started);
+   if (rigid.Any())
+   {
+      archive.Field("start.displacement", spaces.Displacement(),
+                    start.displacement);
+   }
    for (ContactPair *pair : pairs)
    {
       pair->Archive(archive);
@@ -197,6 +204,13 @@ void BiphasicOperator::Archive(StateArchive &archive)
       rate = accepted.rate;
       rate_dt = accepted.rate_dt;
       started = accepted.started;
+      if (rigid.Any())
+      {
+         for (ContactPair *pair : pairs)
+         {
+            pair->LookAt(start.displacement);
+         }
+      }
    }
 }
 
@@ -237,11 +251,38 @@ bool BiphasicOperator::UpdateContact(Stage &stage)
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
       }
    }
+   changed = CatchPushed(stage) || changed;
    if (changed)
    {
       Drain(stage);
    }
    return changed;
+}
+
+bool BiphasicOperator::CatchPushed(Stage &stage)
+{
+   bool caught = false;
+   for (const PushedBodies &group : start.pushed)
+   {
+      if (!group.PushesAt(stage.time) || group.AreHeldBy(pairs))
+      {
+         continue;
+      }
+      const real_t distance = group.Clearance(pairs);
+      if (!std::isfinite(distance))
+      {
+         continue;
+      }
+      stage.u.Add(distance, group.translation);
+      for (ContactPair *pair : pairs)
+      {
+         pair->Evaluate(stage.u, stage.p);
+         pair->AssumeTouching();
+         pair->UpdateActiveSet();
+      }
+      caught = true;
+   }
+   return caught;
 }
 
 void BiphasicOperator::Drain(Stage &stage)
@@ -328,6 +369,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       pair->UpdateActiveSet();
    }
    started = true;
+   CatchPushed(stage);
    Drain(stage);
    ResidualTolerance tolerance = Tolerance(stage);
    for (int augmentation = 0;; augmentation++)

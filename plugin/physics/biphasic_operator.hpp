@@ -3,6 +3,7 @@
 #include "contact/contact_pair.hpp"
 #include "physics/body_form.hpp"
 #include "physics/boundary_conditions.hpp"
+#include "physics/first_approach.hpp"
 #include "solvers/biphasic_linear_solver.hpp"
 
 #include <memory>
@@ -64,15 +65,21 @@ struct PhaseTimes
 class BiphasicOperator : public mfem::TimeDependentOperator
 {
 public:
-   /// Assembles the bodies' matrices. Borrows all arguments; their boundary
-   /// conditions must be complete. Collective.
-   BiphasicOperator(BiphasicSpaces &spaces, const MaterialTable &materials,
+   /// Assembles the bodies' matrices and lets bodies that a force moves
+   /// approach what they press on. Borrows all arguments but the bodies; their
+   /// boundary conditions must be complete. Collective. Throws Error where such
+   /// a body meets nothing.
+   BiphasicOperator(BiphasicSpaces &spaces, const std::vector<Body> &body_list,
+                    const MaterialTable &materials,
                     BoundaryConditions &conditions,
                     std::vector<ContactPair *> pairs,
                     const NonlinearOptions &options);
 
    void ImplicitSolve(const mfem::real_t dt, const mfem::Vector &x,
                       mfem::Vector &k) override;
+
+   /// How the bodies come to where they start.
+   const FirstApproach &Start() const { return start; }
 
    void BeginStep() { report = SolveReport(); }
    void AcceptStep();
@@ -127,6 +134,9 @@ private:
    bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
    void Search(const Stage &stage);
    bool UpdateContact(Stage &stage);
+   /// Moves bodies that the contact has let go of, and that a force pushes,
+   /// until they touch.
+   bool CatchPushed(Stage &stage);
    void Drain(Stage &stage);
    void ComputeImbalance(const Stage &stage, mfem::Vector &momentum,
                          mfem::Vector &mass) const;
@@ -148,6 +158,7 @@ private:
    PhaseTimes times;
    std::unique_ptr<BodyForm> bodies;
    RigidSurfaces rigid;
+   FirstApproach start;
    /// Size of the mesh (length), where surfaces are driven.
    mfem::real_t extent = 0.0;
    std::unique_ptr<BiphasicJacobian> jacobian;

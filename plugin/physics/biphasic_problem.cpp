@@ -201,8 +201,9 @@ BiphasicOperator &BiphasicProblem::Operator()
             setup.options));
          borrowed.push_back(pairs.back().get());
       }
-      op = std::make_unique<BiphasicOperator>(spaces, materials, *conditions,
-                                              borrowed, nonlinear);
+      op = std::make_unique<BiphasicOperator>(spaces, FindBodies(mesh, spaces),
+                                              materials, *conditions, borrowed,
+                                              nonlinear);
    }
    return *op;
 }

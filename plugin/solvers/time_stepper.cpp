@@ -118,6 +118,8 @@ TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
 {
    SetStops(problem.Conditions().Corners());
    state = 0.0;
+   state.GetBlock(0) = op.Start().displacement;
+   state.SyncFromBlocks();
    velocity.SetSize(state.GetBlock(0).Size());
    velocity = 0.0;
    solver->Init(recorder);

@@ -1,4 +1,4 @@
-#include "cases/body.hpp"
+#include "physics/body.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,49 @@
+#include "contact/clearance.hpp"
+#include "general/reduce.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+void Clearance::TakeLess(const Clearance &other)
+{
+   ahead = std::min(ahead, other.ahead);
+   behind = std::min(behind, other.behind);
+   touches = touches || other.touches;
+}
+
+Clearance FindClearance(const ContactPair &pair, const Vector &motion)
+{
+   // Surfaces that slide along each other hardly come nearer.
+   constexpr real_t slides = 0.2;
+   const GapOperators &operators = pair.Operators();
+   Vector closing(operators.gap->Height());
+   operators.gap->Mult(-1.0, motion, 0.0, closing);
+   closing.HostRead();
+   Clearance clearance;
+   for (int j = 0; j < closing.Size(); j++)
+   {
+      const real_t gap = pair.Gap()[j];
+      if (!(operators.area[j] > 0.0) || std::abs(closing[j]) < slides)
+      {
+         continue;
+      }
+      if (closing[j] < 0.0)
+      {
+         clearance.behind = std::min(clearance.behind, -gap / closing[j]);
+         continue;
+      }
+      clearance.ahead = std::min(clearance.ahead, gap / closing[j]);
+      clearance.touches = clearance.touches || gap < pair.GrazingGap(j);
+   }
+   MPI_Comm comm = pair.Source().Spaces().GetComm();
+   clearance.ahead = -MaxOverRanks(-clearance.ahead, comm);
+   clearance.behind = -MaxOverRanks(-clearance.behind, comm);
+   clearance.touches = AnyRank(clearance.touches, comm);
+   return clearance;
+}
+
+} // namespace synovia

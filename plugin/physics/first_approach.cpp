@@ -1,0 +1,330 @@
+#include "physics/first_approach.hpp"
+#include "contact/clearance.hpp"
+#include "contact/distance_along.hpp"
+#include "general/error.hpp"
+#include "general/reduce.hpp"
+#include "general/text.hpp"
+#include "physics/rigid_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+constexpr real_t infinite = std::numeric_limits<real_t>::infinity();
+
+// The sign that a force has when it begins to act; 0 if it never does.
+real_t FirstSign(const LoadCurve &curve)
+{
+   for (const real_t t : curve.Corners())
+   {
+      if (curve(t) != 0.0)
+      {
+         return curve(t) > 0.0 ? 1.0 : -1.0;
+      }
+   }
+   return 0.0;
+}
+
+class Approach
+{
+public:
+   Approach(const std::vector<Body> &bodies_, BiphasicSpaces &spaces_,
+            const BoundaryConditions &conditions_,
+            const std::vector<ContactPair *> &pairs_)
+      : bodies(bodies_), spaces(spaces_), conditions(conditions_),
+        pairs(pairs_), motions(bodies, spaces),
+        no_pressure(spaces.Pressure().GetTrueVSize())
+   {
+      no_pressure = 0.0;
+      result.displacement.SetSize(spaces.Displacement().GetTrueVSize());
+      result.displacement = 0.0;
+      Vector low;
+      Vector high;
+      spaces.GetMesh().GetBoundingBox(low, high);
+      extent = high.DistanceTo(low);
+      if (!conditions.DrivenSurfaces().empty())
+      {
+         for (ContactPair *pair : pairs)
+         {
+            pair->LookAsMeshed();
+         }
+      }
+   }
+
+   void Add(const DrivenSurface &surface);
+   FirstApproach &&Take() { return std::move(result); }
+
+private:
+   /// The pair that touches after a translation, if any.
+   struct Meeting
+   {
+      int pair = -1;
+      real_t distance = infinite;
+   };
+
+   Meeting Meet(const PushedBodies &group);
+   Meeting FindNearest(const PushedBodies &group, Clearance &all);
+   real_t DistanceFromAfar(const ContactPair &pair,
+                           const PushedBodies &group) const;
+   void Translate(real_t distance, const PushedBodies &group);
+   bool Holds(int body, const Point3 &along) const;
+   std::set<int> BodiesOf(const ContactSurface &surface) const;
+   /// Those of a pair's bodies that aren't in the group.
+   std::set<int> MetBy(const PushedBodies &group,
+                       const ContactPair &pair) const;
+   [[noreturn]] void ComplainOf(const PushedBodies &group) const;
+
+   const std::vector<Body> &bodies;
+   BiphasicSpaces &spaces;
+   const BoundaryConditions &conditions;
+   std::vector<ContactPair *> pairs;
+   RigidMotions motions;
+   Vector no_pressure;
+   /// Size of the mesh (length).
+   real_t extent;
+   FirstApproach result;
+};
+
+bool Approach::Holds(int body, const Point3 &along) const
+{
+   constexpr real_t round_off = 1e-10;
+   const Vector translation = motions.Translation({body}, along);
+   real_t most = 0.0;
+   for (const int dof : conditions.DisplacementDofs())
+   {
+      most = std::max(most, std::abs(translation[dof]));
+   }
+   for (const SpringFoundation &springs : conditions.Springs())
+   {
+      Vector force(translation.Size());
+      Vector magnitude(translation.Size());
+      Vector one(translation.Size());
+      one = 1.0;
+      springs.Matrix().Mult(1.0, translation, 0.0, force);
+      springs.Matrix().AbsMult(1.0, one, 0.0, magnitude);
+      const real_t scale = MaxOverRanks(
+         magnitude.Size() > 0 ? magnitude.Normlinf() : 0.0, spaces.GetComm());
+      most = std::max(most, force.Size() > 0 ? force.Normlinf() / scale : 0.0);
+   }
+   return AnyRank(most > round_off, spaces.GetComm());
+}
+
+std::set<int> Approach::BodiesOf(const ContactSurface &surface) const
+{
+   std::vector<int> on(bodies.size(), 0);
+   for (const int dof : surface.DisplacementTrueDofs())
+   {
+      on[motions.BodyOf(dof)] = 1;
+   }
+   MPI_Allreduce(MPI_IN_PLACE, on.data(), static_cast<int>(on.size()), MPI_INT,
+                 MPI_MAX, spaces.GetComm());
+   std::set<int> found;
+   for (size_t b = 0; b < on.size(); b++)
+   {
+      if (on[b])
+      {
+         found.insert(static_cast<int>(b));
+      }
+   }
+   return found;
+}
+
+std::set<int> Approach::MetBy(const PushedBodies &group,
+                              const ContactPair &pair) const
+{
+   std::set<int> met;
+   for (const ContactSurface *side : {&pair.Source(), &pair.Destination()})
+   {
+      for (const int body : BodiesOf(*side))
+      {
+         if (group.bodies.count(body) == 0)
+         {
+            met.insert(body);
+         }
+      }
+   }
+   return met;
+}
+
+real_t Approach::DistanceFromAfar(const ContactPair &pair,
+                                  const PushedBodies &group) const
+{
+   const auto moves = [&](const ContactSurface &surface)
+   {
+      const std::set<int> on = BodiesOf(surface);
+      return std::any_of(on.begin(), on.end(),
+                         [&](int body)
+                         { return group.bodies.count(body) > 0; });
+   };
+   const bool source_moves = moves(pair.Source());
+   if (source_moves == moves(pair.Destination()))
+   {
+      return infinite;
+   }
+   return source_moves ? DistanceAlong(pair.Source(), pair.Destination(),
+                                       group.along, extent)
+                       : DistanceAlong(pair.Destination(), pair.Source(),
+                                       group.along, extent);
+}
+
+Approach::Meeting Approach::FindNearest(const PushedBodies &group,
+                                        Clearance &all)
+{
+   Meeting nearest;
+   for (size_t i = 0; i < pairs.size(); i++)
+   {
+      pairs[i]->Evaluate(result.displacement, no_pressure);
+      Clearance clearance = FindClearance(*pairs[i], group.translation);
+      if (clearance.ahead == infinite)
+      {
+         clearance.ahead = DistanceFromAfar(*pairs[i], group);
+      }
+      if (clearance.ahead < nearest.distance)
+      {
+         nearest = {static_cast<int>(i), clearance.ahead};
+      }
+      all.TakeLess(clearance);
+   }
+   return nearest;
+}
+
+void Approach::Translate(real_t distance, const PushedBodies &group)
+{
+   result.displacement.Add(distance, group.translation);
+   for (ContactPair *pair : pairs)
+   {
+      pair->LookAt(result.displacement);
+   }
+}
+
+Approach::Meeting Approach::Meet(const PushedBodies &group)
+{
+   // Partners change on the way, and rays from points see a round surface
+   // somewhat late.
+   constexpr int most_looks = 20;
+   Meeting meeting;
+   real_t gone = 0.0;
+   for (int look = 0; look < most_looks; look++)
+   {
+      Clearance clearance;
+      const Meeting nearest = FindNearest(group, clearance);
+      if (nearest.pair < 0)
+      {
+         break;
+      }
+      meeting = {nearest.pair, gone};
+      const real_t near = pairs[nearest.pair]->GapTolerance();
+      const bool starts_in_touch =
+         gone == 0.0 && clearance.touches && nearest.distance >= -near;
+      // Out of an overlap, but not into another one.
+      const real_t step =
+         std::max(nearest.distance, -std::max(0.0, clearance.behind));
+      if (starts_in_touch || std::abs(step) <= near)
+      {
+         break;
+      }
+      Translate(step, group);
+      gone += step;
+      meeting.distance = gone;
+   }
+   return meeting;
+}
+
+void Approach::ComplainOf(const PushedBodies &group) const
+{
+   std::string names;
+   for (const int body : group.bodies)
+   {
+      names += (names.empty() ? "\"" : " and \"") + bodies[body].name + "\"";
+   }
+   throw Error("nothing resists the force on \"" + group.name +
+               "\": along it, (" + ToText(group.along[0]) + ", " +
+               ToText(group.along[1]) + ", " + ToText(group.along[2]) + "), " +
+               names +
+               " meets no surface of a contact pair; check the force's "
+               "direction and sign and the surfaces of the pairs, or hold " +
+               names + " along it by another support or by springs");
+}
+
+void Approach::Add(const DrivenSurface &surface)
+{
+   PushedBodies group;
+   group.name = surface.name;
+   group.curve = surface.curve;
+   group.sense = FirstSign(surface.curve);
+   for (int d = 0; d < 3; d++)
+   {
+      group.along[d] = group.sense * surface.direction[d];
+   }
+   for (size_t b = 0; b < bodies.size(); b++)
+   {
+      if (bodies[b].Touches(surface.boundary))
+      {
+         group.bodies.insert(static_cast<int>(b));
+      }
+   }
+   const auto holds = [&](int body) { return Holds(body, group.along); };
+   if (group.sense == 0.0 ||
+       std::any_of(group.bodies.begin(), group.bodies.end(), holds))
+   {
+      return;
+   }
+   bool goes_on = true;
+   for (bool first = true; goes_on; first = false)
+   {
+      group.translation = motions.Translation(group.bodies, group.along);
+      const Meeting meeting = Meet(group);
+      if (meeting.pair < 0)
+      {
+         if (first)
+         {
+            ComplainOf(group);
+         }
+         break;
+      }
+      const ContactPair &pair = *pairs[meeting.pair];
+      if (meeting.distance != 0.0)
+      {
+         result.moves.push_back({group.name, meeting.distance, pair.Name()});
+      }
+      const std::set<int> met = MetBy(group, pair);
+      goes_on = !met.empty() && std::none_of(met.begin(), met.end(), holds);
+      if (goes_on)
+      {
+         group.bodies.insert(met.begin(), met.end());
+      }
+   }
+   result.pushed.push_back(group);
+}
+} // namespace
+
+FirstApproach MakeFirstApproach(const std::vector<Body> &bodies,
+                                BiphasicSpaces &spaces,
+                                const BoundaryConditions &conditions,
+                                const std::vector<ContactPair *> &pairs)
+{
+   Approach approach(bodies, spaces, conditions, pairs);
+   for (const DrivenSurface &surface : conditions.DrivenSurfaces())
+   {
+      approach.Add(surface);
+   }
+   return approach.Take();
+}
+
+std::string ToText(const FirstApproach::Move &move)
+{
+   const std::string length = ToText(std::abs(move.distance));
+   return "what the force on \"" + move.name + "\" moves was moved by " +
+          length +
+          (move.distance > 0.0 ? " along it, until it touches: "
+                               : " against it, out of an overlap: ") +
+          "contact pair \"" + move.pair + "\"";
+}
+
+} // namespace synovia

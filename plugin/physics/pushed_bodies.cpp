@@ -1,0 +1,40 @@
+#include "physics/pushed_bodies.hpp"
+#include "contact/clearance.hpp"
+#include "general/reduce.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+bool PushedBodies::AreHeldBy(const std::vector<ContactPair *> &pairs) const
+{
+   // Beside 1, that of a surface that faces the force.
+   constexpr real_t slides = 1e-3;
+   bool held = false;
+   MPI_Comm comm = MPI_COMM_SELF;
+   for (const ContactPair *pair : pairs)
+   {
+      comm = pair->Source().Spaces().GetComm();
+      Vector closing(pair->Status().Size());
+      pair->Operators().gap->Mult(-1.0, translation, 0.0, closing);
+      closing.HostRead();
+      for (int j = 0; j < closing.Size(); j++)
+      {
+         held = held || (pair->Status()[j] > 0.5 && closing[j] > slides);
+      }
+   }
+   return AnyRank(held, comm);
+}
+
+real_t PushedBodies::Clearance(const std::vector<ContactPair *> &pairs) const
+{
+   synovia::Clearance least;
+   for (const ContactPair *pair : pairs)
+   {
+      least.TakeLess(FindClearance(*pair, translation));
+   }
+   return least.ahead;
+}
+
+} // namespace synovia
