@@ -1,6 +1,6 @@
 #include "checks/body_warnings.hpp"
-#include "physics/body.hpp"
 #include "checks/region_measures.hpp"
+#include "physics/body.hpp"
 
 namespace synovia
 {

@@ -49,8 +49,8 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
      bodies(
         AssembleTimed(times.assembly, spaces, materials, conditions.Springs())),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
-     start(MakeFirstApproach(body_list, spaces, conditions, pairs)), rate(height),
-     support(spaces.Offsets()[1])
+     start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
+     rate(height), support(spaces.Offsets()[1])
 {
    rate = 0.0;
    support = 0.0;

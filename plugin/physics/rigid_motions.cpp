@@ -96,6 +96,16 @@ real_t RigidMotions::At(int dof, int motion) const
    return Cross(axis, arm)[component];
 }
 
+Vector RigidMotions::OfAll(int motion) const
+{
+   Vector u(body_of.Size());
+   for (int dof = 0; dof < u.Size(); dof++)
+   {
+      u[dof] = At(dof, motion);
+   }
+   return u;
+}
+
 Vector RigidMotions::Displacement(int body, int motion) const
 {
    Vector u(body_of.Size());

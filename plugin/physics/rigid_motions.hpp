@@ -23,6 +23,8 @@ public:
    int BodyOf(int dof) const { return body_of[dof]; }
    /// What a motion of that body makes of the dof.
    mfem::real_t At(int dof, int motion) const;
+   /// One of the six motions of all bodies at once.
+   mfem::Vector OfAll(int motion) const;
    /// One motion of one body as true dofs, zero on all others.
    mfem::Vector Displacement(int body, int motion) const;
    /// A translation of some bodies as true dofs, zero on all others.
