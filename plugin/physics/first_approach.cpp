@@ -260,7 +260,8 @@ void Approach::Add(const DrivenSurface &surface)
    group.sense = FirstSign(surface.curve);
    for (int d = 0; d < 3; d++)
    {
-      group.along[d] = group.sense * surface.direction[d];
+      // Without the sign of zero.
+      group.along[d] = group.sense * surface.direction[d] + 0.0;
    }
    for (size_t b = 0; b < bodies.size(); b++)
    {
