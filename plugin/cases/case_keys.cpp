@@ -303,6 +303,13 @@ KeyTable SolverKeys(NonlinearOptions &solver)
              "for \"auto\": up to this many unknowns a factorisation is kept; "
              "twice as many with stiff fibres")
       .AtLeast(0);
+   keys.Word<DirectLibrary>(
+      "direct", linear.direct.library, DirectLibraryWords(),
+      "the library that factorizes; umfpack works on one rank");
+   keys
+      .Value("direct_memory_limit", linear.direct.memory_limit, "MB",
+             "most memory for a factorization on a rank; 0: no limit")
+      .From(0, 100000000);
    keys
       .Value("renew_after", linear.renew_after, "",
              "iterations lost to an old factorisation until it is renewed")

@@ -172,9 +172,28 @@ void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
    }
 }
 
+void CheckDirectLibrary(const CaseFile &setup, const NamedMesh &mesh,
+                        CaseReading &reading)
+{
+   const DirectLibrary library = setup.solver.linear.direct.library;
+   if (library == DirectLibrary::automatic)
+   {
+      return;
+   }
+   try
+   {
+      VerifyDirectLibrary(library, mesh.GetComm());
+   }
+   catch (const Error &error) // on all ranks alike
+   {
+      reading.Complain("solver.direct", error.what());
+   }
+}
+
 NamedMesh &Verified(const CaseFile &setup, NamedMesh &mesh)
 {
    CaseReading reading(setup.places);
+   CheckDirectLibrary(setup, mesh, reading);
    NameCheck names(mesh, reading);
    CheckMaterials(setup, mesh, names, reading);
    CheckSurfaces(setup, names);

@@ -41,6 +41,15 @@ const KeyWords<LinearMethod> &LinearMethodWords()
    return words;
 }
 
+const KeyWords<DirectLibrary> &DirectLibraryWords()
+{
+   static const KeyWords<DirectLibrary> words{
+      {"auto", DirectLibrary::automatic},
+      {"mumps", DirectLibrary::mumps},
+      {"umfpack", DirectLibrary::umfpack}};
+   return words;
+}
+
 TimeScheme TimeSchemeNamed(const std::string &word)
 {
    return Find(TimeSchemeWords(), "time scheme", word);

@@ -14,6 +14,7 @@ using KeyWords = std::vector<std::pair<std::string, Enum>>;
 
 const KeyWords<TimeScheme> &TimeSchemeWords();
 const KeyWords<LinearMethod> &LinearMethodWords();
+const KeyWords<DirectLibrary> &DirectLibraryWords();
 
 /// What a word of a case file, given to a program in another way, stands for.
 /// Throws Error, which lists the words there are, if it is none of them.

@@ -459,6 +459,10 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       report.newton++;
       report.linear += result.iterations;
       report.most_linear = std::max(report.most_linear, result.iterations);
+      if (!result.failure.empty())
+      {
+         return Fail(result.failure);
+      }
       rigid.Distribute(step.GetBlock(0));
       if (Escapes(step.GetBlock(0)))
       {

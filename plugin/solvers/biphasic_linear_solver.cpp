@@ -86,18 +86,33 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
    const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
                              spaces.Pressure().GlobalTrueVSize();
    options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli);
-   if (options.method == LinearMethod::direct)
+   if (options.method == LinearMethod::direct || !jacobian.Pairs().empty())
    {
-      preconditioner = std::make_unique<DirectPreconditioner>(
-         jacobian, comm, options.renew_after);
+      VerifyDirectLibrary(options.direct.library, comm);
    }
-   else
-   {
-      preconditioner = std::make_unique<BlockAmgPreconditioner>(jacobian, comm);
-   }
+   preconditioner = MakePreconditioner();
 }
 
 BiphasicLinearSolver::~BiphasicLinearSolver() = default;
+
+std::unique_ptr<BiphasicPreconditioner>
+BiphasicLinearSolver::MakePreconditioner() const
+{
+   if (options.method == LinearMethod::direct)
+   {
+      return std::make_unique<DirectPreconditioner>(
+         jacobian, comm, options.renew_after, options.direct);
+   }
+   return std::make_unique<BlockAmgPreconditioner>(jacobian, comm,
+                                                   options.direct);
+}
+
+WorkCounts BiphasicLinearSolver::Work() const
+{
+   WorkCounts all(work_before);
+   all += preconditioner->Work();
+   return all;
+}
 
 real_t BiphasicLinearSolver::Norm(const Vector &residual,
                                   const ResidualTolerance &tolerance) const
@@ -117,6 +132,25 @@ real_t BiphasicLinearSolver::Norm(const Vector &residual,
 BiphasicLinearSolver::Result
 BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
                             const ResidualTolerance &tolerance, real_t target)
+{
+   try
+   {
+      return Iterate(b, x, tolerance, target);
+   }
+   catch (const FactorizationError &error) // on all ranks alike
+   {
+      work_before += preconditioner->Work();
+      preconditioner.reset();
+      preconditioner = MakePreconditioner();
+      Result result;
+      result.failure = error.what();
+      return result;
+   }
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
+                              const ResidualTolerance &tolerance, real_t target)
 {
    // In the scaled unknowns both equations have the tolerance of the momentum.
    const real_t pressure_scale = tolerance.momentum / tolerance.mass;

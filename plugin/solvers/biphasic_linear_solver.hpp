@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solvers/biphasic_jacobian.hpp"
+#include "solvers/direct_solver.hpp"
 #include "solvers/work_counts.hpp"
 
 namespace synovia
@@ -30,6 +31,9 @@ struct LinearOptions
    /// iterations more than they would have taken with a new one: about what a
    /// factorisation costs.
    int renew_after = 40;
+   /// How matrices are factorized: the whole one, or, with multigrid, the part
+   /// that contact touches.
+   DirectOptions direct;
 };
 
 /// The method that automatic stands for with so many dofs of all ranks; others
@@ -45,7 +49,8 @@ public:
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    virtual void ContactMoved() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
-   /// changed. Collective.
+   /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
+   /// of no use then. Collective.
    virtual void Update() = 0;
    /// Called after each try to solve; says whether another try, from where the
    /// last one got to, is worth it if that one did not converge. Collective.
@@ -79,7 +84,8 @@ struct ResidualTolerance
 class BiphasicLinearSolver
 {
 public:
-   /// Borrows @a jacobian and @a spaces. Collective.
+   /// Borrows @a jacobian and @a spaces. Throws Error if the library that shall
+   /// factorize can't. Collective.
    BiphasicLinearSolver(const BiphasicJacobian &jacobian,
                         BiphasicSpaces &spaces, const LinearOptions &options);
    ~BiphasicLinearSolver();
@@ -101,6 +107,9 @@ public:
       int iterations = 0;
       /// Wall time to bring the preconditioner up to date (s).
       mfem::real_t setup_seconds = 0.0;
+      /// Why the system could not be solved at all; empty if it could. The next
+      /// one starts with a new preconditioner.
+      std::string failure;
    };
    /// Solves J x = b, from zero, until the Norm() of what is left is at most
    /// @a target. Collective.
@@ -109,15 +118,21 @@ public:
 
    /// As given, but with the method that was chosen.
    const LinearOptions &Options() const { return options; }
-   /// What the preconditioner did since the start.
-   const WorkCounts &Work() const { return preconditioner->Work(); }
+   /// What the preconditioners did since the start.
+   WorkCounts Work() const;
 
 private:
+   std::unique_ptr<BiphasicPreconditioner> MakePreconditioner() const;
+   Result Iterate(const mfem::Vector &b, mfem::Vector &x,
+                  const ResidualTolerance &tolerance, mfem::real_t target);
+
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    LinearOptions options;
    mfem::real_t force_per_volume;
    std::unique_ptr<BiphasicPreconditioner> preconditioner;
+   /// Of preconditioners that failed.
+   WorkCounts work_before;
 };
 
 } // namespace synovia

@@ -136,11 +136,12 @@ std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
 } // namespace
 
 BlockAmgPreconditioner::BlockAmgPreconditioner(
-   const BiphasicJacobian &jacobian_, MPI_Comm comm_)
+   const BiphasicJacobian &jacobian_, MPI_Comm comm_,
+   const DirectOptions &options_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_),
+     comm(comm_), options(options_),
      displacement(*jacobian_.Volume().stiffness, jacobian_.DisplacementDofs(),
-                  Overlap(jacobian_.Volume()))
+                  Overlap(jacobian_.Volume()), options_)
 {
 }
 
@@ -262,7 +263,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       p_dofs = always_drained;
       pressure.reset();
       schur = jacobian.SchurComplement(p_dofs);
-      pressure = std::make_unique<FilteredAmg>(*schur, p_dofs, 1);
+      pressure = std::make_unique<FilteredAmg>(*schur, p_dofs, 1, options);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
                              FlowAmg());
       work.setups++;

@@ -19,8 +19,10 @@ namespace synovia
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
-   /// Borrows @a jacobian. Collective.
-   BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm);
+   /// Borrows @a jacobian. @a options are those of the filters' exact solves.
+   /// Collective.
+   BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
+                          const DirectOptions &options);
 
    void ContactMoved() override;
    void Update() override;
@@ -37,6 +39,7 @@ private:
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
+   DirectOptions options;
    FilteredAmg displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;

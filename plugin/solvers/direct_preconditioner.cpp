@@ -60,9 +60,10 @@ std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
 } // namespace
 
 DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
-                                           MPI_Comm comm_, int renew_after_)
+                                           MPI_Comm comm_, int renew_after_,
+                                           const DirectOptions &options_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_), renew_after(renew_after_), update(comm)
+     comm(comm_), renew_after(renew_after_), options(options_), update(comm)
 {
 }
 
@@ -167,7 +168,7 @@ void DirectPreconditioner::Factorise()
    }
    else
    {
-      factors = MakeDirectSolver(*matrix, MatrixKind::symmetric);
+      factors = MakeDirectSolver(*matrix, MatrixKind::symmetric, options);
    }
    work.factorisations++;
 }

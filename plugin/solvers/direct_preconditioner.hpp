@@ -22,7 +22,7 @@ class DirectPreconditioner : public BiphasicPreconditioner
 public:
    /// Borrows @a jacobian. Collective.
    DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
-                        int renew_after);
+                        int renew_after, const DirectOptions &options);
 
    void ContactMoved() override;
    void Update() override;
@@ -65,6 +65,7 @@ private:
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    int renew_after;
+   DirectOptions options;
    mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;

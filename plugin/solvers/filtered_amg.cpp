@@ -2,7 +2,6 @@
 #include "general/reduce.hpp"
 #include "general/vector_entries.hpp"
 #include "solvers/biphasic_jacobian.hpp"
-#include "solvers/direct_solver.hpp"
 
 namespace synovia
 {
@@ -86,9 +85,10 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 } // namespace
 
 FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
-                         const Array<int> &prescribed_, int overlap_)
+                         const Array<int> &prescribed_, int overlap_,
+                         const DirectOptions &options_)
    : Solver(matrix_.Height()), matrix(matrix_), prescribed(prescribed_),
-     overlap(overlap_), residual(height)
+     overlap(overlap_), options(options_), residual(height)
 {
 }
 
@@ -249,7 +249,8 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
    }
    else
    {
-      contact_solver = MakeDirectSolver(*whole, MatrixKind::positive_definite);
+      contact_solver =
+         MakeDirectSolver(*whole, MatrixKind::positive_definite, options);
    }
    return true;
 }

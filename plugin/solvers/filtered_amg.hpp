@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "solvers/direct_solver.hpp"
 
 #include <memory>
 #include <optional>
@@ -27,9 +27,10 @@ public:
    /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
    /// dofs, ascending, don't count: those have unit rows in the inverse.
    /// Solves exactly for @a overlap layers of dofs around those of the rows
-   /// that have a weight, too.
+   /// that have a weight, too, with a direct solver that has @a options.
    FilteredAmg(const mfem::HypreParMatrix &matrix,
-               const mfem::Array<int> &prescribed, int overlap);
+               const mfem::Array<int> &prescribed, int overlap,
+               const DirectOptions &options);
 
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
    /// its hierarchy on @a alike, which has unit rows and columns for the
@@ -48,7 +49,8 @@ public:
    /// Takes other weights, not negative, for each factor, and factorises. Says
    /// whether there was anything to factorise. @a in_hierarchy are the weights
    /// with which factors are part of the hierarchy's matrix, empty if they are
-   /// not: the exact solves amend it there. Collective.
+   /// not: the exact solves amend it there. Throws FactorizationError.
+   /// Collective.
    bool SetWeights(const std::vector<mfem::Vector> &weights,
                    const std::vector<mfem::Vector> &in_hierarchy);
 
@@ -75,6 +77,7 @@ private:
    const mfem::HypreParMatrix &matrix;
    mfem::Array<int> prescribed;
    int overlap;
+   DirectOptions options;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;

@@ -14,13 +14,19 @@ if(NOT MFEM_FOUND)
     "which builds one into ~/.cache/synovia.")
 endif()
 
-foreach(feature MPI METIS SUITESPARSE MUMPS)
+foreach(feature MPI METIS)
   if(NOT MFEM_USE_${feature})
     message(FATAL_ERROR "The MFEM in ${MFEM_DIR} was built without ${feature}. "
       "Build it with -DMFEM_USE_${feature}=ON, or run scripts/setup and use "
       "the one that it builds.")
   endif()
 endforeach()
+if(NOT MFEM_USE_MUMPS AND NOT MFEM_USE_SUITESPARSE)
+  message(FATAL_ERROR "The MFEM in ${MFEM_DIR} has no direct solver. Build it "
+    "with -DMFEM_USE_MUMPS=ON, or, which does for one rank, with "
+    "-DMFEM_USE_SUITESPARSE=ON, or run scripts/setup and use the one that it "
+    "builds.")
+endif()
 if(MFEM_USE_SINGLE)
   message(FATAL_ERROR "The MFEM in ${MFEM_DIR} is of single precision; "
     "Synovia needs double.")

@@ -70,6 +70,7 @@ PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
    nonlinear.max_newton = options.max_newton;
    nonlinear.linear.method = options.method;
    nonlinear.linear.relative_tolerance = options.relative_tolerance;
+   nonlinear.linear.direct = options.direct;
    problem.SetNonlinearOptions(nonlinear);
 }
 

@@ -11,6 +11,7 @@ struct PressedBoxOptions
    LinearMethod method = LinearMethod::direct;
    mfem::real_t relative_tolerance = 1e-11;
    int max_newton = 30;
+   DirectOptions direct;
    /// A rank for each of the elements; METIS decides without.
    const int *partitioning = nullptr;
    /// In the boxes if there is one; borrowed.

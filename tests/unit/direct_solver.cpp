@@ -1,12 +1,14 @@
 // ranks: 1 2 3
 //
-// Factorising one matrix after another in the same solver.
+// Factorizing one matrix after another, by each library that there is: the
+// tests are also built without MUMPS, and without UMFPACK.
 
 #include "solvers/direct_solver.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <vector>
 
 using namespace mfem;
 using namespace synovia;
@@ -28,14 +30,20 @@ std::unique_ptr<HypreParMatrix> MakeMatrix(ParMesh &mesh, int order,
    return std::unique_ptr<HypreParMatrix>(form.ParallelAssemble());
 }
 
+Vector RightSide(int size, real_t phase = 1.0)
+{
+   Vector b(size);
+   for (int i = 0; i < size; i++)
+   {
+      b[i] = std::sin(phase + 0.7 * i);
+   }
+   return b;
+}
+
 /// Norm of what is left, relative to that of the right side.
 real_t Residual(const Solver &solver, const HypreParMatrix &matrix)
 {
-   Vector b(matrix.Height());
-   for (int i = 0; i < b.Size(); i++)
-   {
-      b[i] = std::sin(1.0 + 0.7 * i);
-   }
+   const Vector b = RightSide(matrix.Height());
    Vector x(b.Size());
    solver.Mult(b, x);
    Vector left(b);
@@ -43,27 +51,227 @@ real_t Residual(const Solver &solver, const HypreParMatrix &matrix)
    return std::sqrt(InnerProduct(MPI_COMM_WORLD, left, left) /
                     InnerProduct(MPI_COMM_WORLD, b, b));
 }
+
+ParMesh Cube(int elements)
+{
+   Mesh cube = Mesh::MakeCartesian3D(elements, elements, elements + 1,
+                                     Element::HEXAHEDRON);
+   return ParMesh(MPI_COMM_WORLD, cube);
+}
+
+bool Works(DirectLibrary library)
+{
+   try
+   {
+      VerifyDirectLibrary(library, MPI_COMM_WORLD);
+      return true;
+   }
+   catch (const Error &)
+   {
+      return false;
+   }
+}
+
+/// At least one on any number of ranks, unless MUMPS is left out.
+std::vector<DirectLibrary> Libraries()
+{
+   std::vector<DirectLibrary> libraries;
+   for (const DirectLibrary library :
+        {DirectLibrary::mumps, DirectLibrary::umfpack})
+   {
+      if (Works(library))
+      {
+         libraries.push_back(library);
+      }
+   }
+   return libraries;
+}
+
+DirectOptions Options(DirectLibrary library, int memory_limit = 0)
+{
+   DirectOptions options;
+   options.library = library;
+   options.memory_limit = memory_limit;
+   return options;
+}
 } // namespace
+
+TEST_CASE("The libraries say where they work")
+{
+#ifdef SYNOVIA_WITHOUT_MUMPS
+   CHECK_THROWS_WITH(VerifyDirectLibrary(DirectLibrary::mumps, MPI_COMM_WORLD),
+                     "this MFEM was built without MUMPS");
+   const std::string others = "use an MFEM that has MUMPS";
+#else
+   CHECK(Works(DirectLibrary::mumps));
+   CHECK(Works(DirectLibrary::automatic));
+   const std::string others = "use MUMPS";
+#endif
+#ifdef SYNOVIA_WITHOUT_UMFPACK
+   CHECK_THROWS_WITH(
+      VerifyDirectLibrary(DirectLibrary::umfpack, MPI_COMM_WORLD),
+      "this MFEM was built without UMFPACK (SuiteSparse)");
+#else
+   if (Mpi::WorldSize() == 1)
+   {
+      CHECK(Works(DirectLibrary::umfpack));
+      CHECK(Works(DirectLibrary::automatic));
+   }
+   else
+   {
+      CHECK_THROWS_WITH(
+         VerifyDirectLibrary(DirectLibrary::umfpack, MPI_COMM_WORLD),
+         "UMFPACK works on one rank, and there are " +
+            std::to_string(Mpi::WorldSize()) + ": run on one, or " + others);
+   }
+#endif
+}
 
 TEST_CASE("A direct solver takes matrices with the same entries and others")
 {
-   Mesh cube = Mesh::MakeCartesian3D(3, 3, 4, Element::HEXAHEDRON);
-   ParMesh mesh(MPI_COMM_WORLD, cube);
+   ParMesh mesh = Cube(3);
    const auto first = MakeMatrix(mesh, 1, 1.0);
    REQUIRE(first->Height() > 0);
-   for (const MatrixKind kind :
-        {MatrixKind::positive_definite, MatrixKind::symmetric})
+   int solved = 0;
+   for (const DirectLibrary library : Libraries())
    {
-      const std::unique_ptr<Solver> solver = MakeDirectSolver(*first, kind);
-      CHECK(Residual(*solver, *first) < 1e-12);
-      // The same places, then others, then those of the beginning.
-      for (const auto &[order, factor] :
-           {std::pair<int, real_t>{1, 100.0}, {2, 1.0}, {1, 5.0}})
+      for (const MatrixKind kind :
+           {MatrixKind::positive_definite, MatrixKind::symmetric})
       {
-         CAPTURE(order, factor);
-         const auto matrix = MakeMatrix(mesh, order, factor);
-         solver->SetOperator(*matrix);
-         CHECK(Residual(*solver, *matrix) < 1e-12);
+         const std::unique_ptr<Solver> solver =
+            MakeDirectSolver(*first, kind, Options(library));
+         CHECK(Residual(*solver, *first) < 1e-12);
+         // The same places, then others, then those of the beginning.
+         for (const auto &[order, factor] :
+              {std::pair<int, real_t>{1, 100.0}, {2, 1.0}, {1, 5.0}})
+         {
+            CAPTURE(order, factor);
+            const auto matrix = MakeMatrix(mesh, order, factor);
+            solver->SetOperator(*matrix);
+            CHECK(Residual(*solver, *matrix) < 1e-12);
+            solved++;
+         }
       }
+   }
+   CHECK(solved == 6 * static_cast<int>(Libraries().size()));
+}
+
+TEST_CASE("The libraries come to the same solution")
+{
+   if (Libraries().size() < 2)
+   {
+      return;
+   }
+   ParMesh mesh = Cube(4);
+   // Indefinite.
+   const auto matrix = MakeMatrix(mesh, 2, -290.0);
+   const Vector b = RightSide(matrix->Height());
+   Vector by_mumps(b.Size());
+   Vector by_umfpack(b.Size());
+   MakeDirectSolver(*matrix, MatrixKind::symmetric,
+                    Options(DirectLibrary::mumps))
+      ->Mult(b, by_mumps);
+   MakeDirectSolver(*matrix, MatrixKind::symmetric,
+                    Options(DirectLibrary::umfpack))
+      ->Mult(b, by_umfpack);
+   REQUIRE(by_mumps.Norml2() > 0.0);
+   by_umfpack -= by_mumps;
+   CHECK(by_umfpack.Norml2() < 1e-10 * by_mumps.Norml2());
+}
+
+TEST_CASE("Several right sides are solved for as each alone")
+{
+   ParMesh mesh = Cube(3);
+   const auto matrix = MakeMatrix(mesh, 2, 1.0);
+   for (const DirectLibrary library : Libraries())
+   {
+      const std::unique_ptr<Solver> solver =
+         MakeDirectSolver(*matrix, MatrixKind::symmetric, Options(library));
+      std::vector<Vector> right_sides;
+      std::vector<Vector> solutions(3, Vector(matrix->Height()));
+      Array<const Vector *> x;
+      Array<Vector *> y;
+      right_sides.reserve(3);
+      for (int i = 0; i < 3; i++)
+      {
+         right_sides.push_back(RightSide(matrix->Height(), i));
+         x.Append(&right_sides[i]);
+         y.Append(&solutions[i]);
+      }
+      solver->ArrayMult(x, y);
+      for (int i = 0; i < 3; i++)
+      {
+         Vector alone(matrix->Height());
+         solver->Mult(right_sides[i], alone);
+         REQUIRE(alone.Norml2() > 0.0);
+         alone -= solutions[i];
+         CHECK(alone.Norml2() < 1e-12 * solutions[i].Norml2());
+      }
+   }
+}
+
+TEST_CASE("A factorization that needs more memory than it may have fails")
+{
+   ParMesh coarse = Cube(2);
+   ParMesh fine = Cube(8);
+   const auto small = MakeMatrix(coarse, 1, 1.0);
+   const auto large = MakeMatrix(fine, 2, 1.0);
+   constexpr int little = 4;
+   int failed = 0;
+   for (const DirectLibrary library : Libraries())
+   {
+      const std::unique_ptr<Solver> solver = MakeDirectSolver(
+         *small, MatrixKind::symmetric, Options(library, little));
+      CHECK(Residual(*solver, *small) < 1e-12);
+      for (int repetition = 0; repetition < 2; repetition++)
+      {
+         try
+         {
+            solver->SetOperator(*large);
+         }
+         catch (const FactorizationError &error)
+         {
+            failed++;
+            CHECK_THAT(
+               error.what(),
+               Catch::Contains("could not factorize the matrix (5491 "
+                               "unknowns): it") &&
+                  Catch::Contains(
+                     " MB more than direct_memory_limit (4 MB) allows"));
+         }
+      }
+      // It is as good as new.
+      solver->SetOperator(*small);
+      CHECK(Residual(*solver, *small) < 1e-12);
+
+      const std::unique_ptr<Solver> enough = MakeDirectSolver(
+         *large, MatrixKind::symmetric, Options(library, 1000));
+      CHECK(Residual(*enough, *large) < 1e-12);
+   }
+   CHECK(failed == 2 * static_cast<int>(Libraries().size()));
+}
+
+TEST_CASE("A singular matrix is said to be one")
+{
+   ParMesh mesh = Cube(3);
+   const auto good = MakeMatrix(mesh, 1, 1.0);
+   const auto singular = MakeMatrix(mesh, 1, 1.0);
+   // A row and a column of zeros.
+   Array<int> dofs;
+   if (Mpi::WorldRank() == 0)
+   {
+      dofs.Append(0);
+   }
+   singular->EliminateBC(dofs, Operator::DIAG_ZERO);
+   for (const DirectLibrary library : Libraries())
+   {
+      CHECK_THROWS_WITH(
+         MakeDirectSolver(*singular, MatrixKind::symmetric, Options(library)),
+         Catch::EndsWith("the matrix is singular"));
+      const std::unique_ptr<Solver> solver =
+         MakeDirectSolver(*good, MatrixKind::symmetric, Options(library));
+      CHECK_THROWS_AS(solver->SetOperator(*singular), FactorizationError);
+      solver->SetOperator(*good);
+      CHECK(Residual(*solver, *good) < 1e-12);
    }
 }
