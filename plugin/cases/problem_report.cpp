@@ -3,6 +3,7 @@
 #include "checks/region_stiffness.hpp"
 #include "general/reduce.hpp"
 #include "general/text_table.hpp"
+#include "solvers/direct_preconditioner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +59,16 @@ void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
       LinearMethod::direct;
    // Factors of three-dimensional meshes grow like n^(4/3).
    const real_t factors = direct ? 25.0 * std::pow(unknowns, 4.0 / 3.0) : 0.0;
+   // Kept factors collect dense columns where contact changes.
+   const real_t columns =
+      direct && !setup.contacts.empty()
+         ? DirectPreconditioner::MostColumns(setup.solver.linear.renew_after)
+         : 0.0;
    gigabytes =
-      1e-9 * bytes_an_entry *
-      (entries * (direct ? copies_with_factors : copies_with_multigrid) +
-       factors);
+      1e-9 * (bytes_an_entry * (entries * (direct ? copies_with_factors
+                                                  : copies_with_multigrid) +
+                                factors) +
+              sizeof(real_t) * columns * unknowns);
 }
 
 void ProblemReport::WriteRegions(std::ostream &out) const

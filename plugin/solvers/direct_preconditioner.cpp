@@ -67,6 +67,11 @@ DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
 {
 }
 
+real_t DirectPreconditioner::MostColumns(int renew_after)
+{
+   return renew_after / column_cost;
+}
+
 void DirectPreconditioner::ContactMoved()
 {
    rows.clear();

@@ -24,6 +24,10 @@ public:
    DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
                         int renew_after, const DirectOptions &options);
 
+   /// How many columns, as long as there are unknowns, may come together until
+   /// the factorization is renewed.
+   static mfem::real_t MostColumns(int renew_after);
+
    void ContactMoved() override;
    void Update() override;
    bool Report(int iterations, bool converged) override;

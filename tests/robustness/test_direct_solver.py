@@ -11,6 +11,7 @@ on with a higher limit to the results of a run without one.
 from __future__ import annotations
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -101,10 +102,24 @@ def test_memory(case: Case, directory: pathlib.Path, ranks: int) -> None:
           and history(cut)[-1]["t"] == END, "without a limit it goes on")
 
 
+def test_estimate(case: Case, directory: pathlib.Path) -> None:
+    """The columns that a kept factorization collects count."""
+    run = case.run(directory / "checked", "--check", "--set",
+                   "solver.renew_after=100000")
+    found = re.search(r": (\d+) displacements, (\d+) pressures on 1 rank, "
+                      r"about ([\d.]+) GB", run.stdout)
+    check(found is not None, "--check says how much memory it takes")
+    unknowns, gigabytes = int(found[1]) + int(found[2]), float(found[3])
+    columns = 8e-9 * 10 * 100000 * unknowns
+    check(columns < gigabytes < 1.1 * columns + 0.2,
+          f"{gigabytes} GB, of which columns take {columns:.1f}")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
         case = Case(directory)
+        test_estimate(case, directory)
         test_libraries(case, directory)
         for ranks in (1, 2):
             test_memory(case, directory, ranks)
