@@ -1,5 +1,6 @@
 #include "materials/transversely_isotropic.hpp"
 #include "general/error.hpp"
+#include "general/symmetric_eigenvalues.hpp"
 #include "general/text.hpp"
 
 namespace synovia
@@ -54,9 +55,7 @@ TransverselyIsotropic::TransverselyIsotropic(const FibreConstants &constants,
       -constants.poisson_rz / constants.young_r;
    compliance(0, 0) = compliance(2, 2) = 1.0 / constants.young_r;
    compliance(1, 1) = 1.0 / constants.young_theta;
-   Vector eigenvalues;
-   DenseMatrix symmetric(compliance);
-   symmetric.Eigenvalues(eigenvalues);
+   const Vector eigenvalues = SymmetricEigenvalues(compliance);
    if (!(eigenvalues.Min() > 0.0) || !(constants.poisson_rz > -1.0))
    {
       throw Error("the stiffness is not positive definite: the compliance of "
