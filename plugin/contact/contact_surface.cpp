@@ -1,4 +1,5 @@
 #include "contact/contact_surface.hpp"
+#include "mesh/boundary_marker.hpp"
 
 namespace synovia
 {
@@ -80,12 +81,7 @@ ContactSurface::ContactSurface(BiphasicSpaces &spaces_,
    : spaces(spaces_)
 {
    ParMesh &mesh = spaces.GetMesh();
-   Array<int> marker(mesh.bdr_attributes.Max());
-   marker = 0;
-   for (const int attribute : boundary)
-   {
-      marker[attribute - 1] = 1;
-   }
+   const Array<int> marker = BoundaryMarker(mesh, boundary);
    for (int i = 0; i < mesh.GetNBE(); i++)
    {
       if (marker[mesh.GetBdrAttribute(i) - 1])

@@ -1,5 +1,6 @@
 #include "physics/biphasic_problem.hpp"
 #include "general/error.hpp"
+#include "mesh/boundary_marker.hpp"
 
 #include <algorithm>
 
@@ -211,12 +212,8 @@ BiphasicOperator &BiphasicProblem::Operator()
 Point3 BiphasicProblem::Reaction(const Support &support)
 {
    const real_t *forces = Operator().SupportForces().HostRead();
-   Array<int> marker(mesh.Get().bdr_attributes.Max());
-   marker = 0;
-   for (const int attribute : mesh.Boundary(support.boundary))
-   {
-      marker[attribute - 1] = 1;
-   }
+   const Array<int> marker =
+      BoundaryMarker(mesh.Get(), mesh.Boundary(support.boundary));
    Point3 reaction{{0.0, 0.0, 0.0}};
    for (int d = 0; d < 3; d++)
    {

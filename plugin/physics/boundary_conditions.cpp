@@ -1,5 +1,6 @@
 #include "physics/boundary_conditions.hpp"
 #include "general/error.hpp"
+#include "mesh/boundary_marker.hpp"
 
 #include <algorithm>
 
@@ -26,18 +27,7 @@ BoundaryConditions::BoundaryConditions(BiphasicSpaces &spaces_)
 
 Array<int> BoundaryConditions::Marker(const Array<int> &boundary) const
 {
-   const ParMesh &mesh = spaces.GetMesh();
-   const int size =
-      mesh.bdr_attributes.Size() > 0 ? mesh.bdr_attributes.Max() : 0;
-   Array<int> marker(size);
-   marker = 0;
-   for (const int attribute : boundary)
-   {
-      MFEM_VERIFY(attribute >= 1 && attribute <= size,
-                  "no boundary has the attribute " << attribute);
-      marker[attribute - 1] = 1;
-   }
-   return marker;
+   return BoundaryMarker(spaces.GetMesh(), boundary);
 }
 
 void BoundaryConditions::AddCorners(const LoadCurve &curve)

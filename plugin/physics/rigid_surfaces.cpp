@@ -2,6 +2,7 @@
 #include "contact/parallel_triplets.hpp"
 #include "general/error.hpp"
 #include "general/reduce.hpp"
+#include "mesh/boundary_marker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,8 @@ namespace
 Array<int> DrivenDofs(ParFiniteElementSpace &space,
                       const DrivenSurface &surface, int component)
 {
-   Array<int> marker(space.GetParMesh()->bdr_attributes.Max());
-   marker = 0;
-   for (const int attribute : surface.boundary)
-   {
-      marker[attribute - 1] = 1;
-   }
+   const Array<int> marker =
+      BoundaryMarker(*space.GetParMesh(), surface.boundary);
    Array<int> dofs;
    space.GetEssentialTrueDofs(marker, dofs, component);
    return dofs;

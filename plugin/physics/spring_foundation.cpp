@@ -2,6 +2,7 @@
 #include "general/error.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
+#include "mesh/boundary_marker.hpp"
 #include "mesh/element_measure.hpp"
 
 #include <cmath>
@@ -70,12 +71,7 @@ SpringFoundation::SpringFoundation(BiphasicSpaces &spaces,
                   "; it must be positive");
    }
    ParMesh &mesh = spaces.GetMesh();
-   Array<int> marker(mesh.bdr_attributes.Max());
-   marker = 0;
-   for (const int attribute : boundary)
-   {
-      marker[attribute - 1] = 1;
-   }
+   Array<int> marker = BoundaryMarker(mesh, boundary);
    DenseMatrix density = Directions(direction);
    density *= stiffness / Area(mesh, marker);
    MatrixConstantCoefficient coefficient(density);
