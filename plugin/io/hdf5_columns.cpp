@@ -1,6 +1,7 @@
 #include "io/hdf5_columns.hpp"
 #include "io/hdf5_guard.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -14,6 +15,8 @@ namespace
 {
 constexpr hsize_t rows_in_a_chunk = 512;
 constexpr std::size_t memory_increment = 1 << 16;
+// Bytes that are compared, and written, at once.
+constexpr std::size_t block = 512;
 
 /// Properties of an open file without locks: a run that is still writing can be
 /// looked at, and some parallel file systems have no locks.
@@ -80,7 +83,16 @@ Hdf5Columns::~Hdf5Columns()
    }
 }
 
-void Hdf5Columns::Append(const std::vector<double> &row)
+void Hdf5Columns::Append(const std::vector<std::vector<double>> &added)
+{
+   for (const std::vector<double> &row : added)
+   {
+      Extend(row);
+   }
+   Save();
+}
+
+void Hdf5Columns::Extend(const std::vector<double> &row)
 {
    if (row.size() != columns.size())
    {
@@ -108,10 +120,9 @@ void Hdf5Columns::Append(const std::vector<double> &row)
       }
    }
    rows = count;
-   Save();
 }
 
-void Hdf5Columns::Save() const
+void Hdf5Columns::Save()
 {
    const bool flushed = H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
    const ssize_t size = flushed ? H5Fget_file_image(file, nullptr, 0) : -1;
@@ -120,11 +131,50 @@ void Hdf5Columns::Save() const
    {
       Fail("make the contents of", path);
    }
+   // A file that grows has another structure: a chunk more for each column.
+   if (image.size() == saved.size())
+   {
+      WriteChanges(image);
+   }
+   else
+   {
+      WriteWhole(image);
+   }
+   saved = std::move(image);
+}
+
+void Hdf5Columns::WriteChanges(const std::vector<char> &image) const
+{
+   errno = 0;
+   std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
+   // Backwards: values, in chunks behind the headers, come before the numbers
+   // of rows that make them count.
+   const std::size_t blocks = (image.size() + block - 1) / block;
+   for (std::size_t i = blocks; i-- > 0;)
+   {
+      const std::size_t begin = i * block;
+      const std::size_t length = std::min(block, image.size() - begin);
+      if (std::memcmp(&image[begin], &saved[begin], length) != 0)
+      {
+         out.seekp(static_cast<std::streamoff>(begin));
+         out.write(&image[begin], static_cast<std::streamsize>(length));
+         out.flush();
+      }
+   }
+   if (!out)
+   {
+      throw std::runtime_error("cannot write '" + path +
+                               "': " + std::strerror(errno));
+   }
+}
+
+void Hdf5Columns::WriteWhole(const std::vector<char> &image) const
+{
    // The old file is there until the new one is whole.
    const std::string fresh = path + ".new";
    errno = 0;
    std::ofstream out(fresh, std::ios::binary | std::ios::trunc);
-   out.write(image.data(), size);
+   out.write(image.data(), static_cast<std::streamsize>(image.size()));
    out.close();
    std::string reason = out ? "" : std::strerror(errno);
    std::error_code error;

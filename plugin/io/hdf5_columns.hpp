@@ -20,17 +20,25 @@ public:
    Hdf5Columns(const Hdf5Columns &) = delete;
    Hdf5Columns &operator=(const Hdf5Columns &) = delete;
 
-   /// Adds a row, a value for each column, and writes the file anew, so that it
-   /// is whole at all times whatever happens to the process or the disk.
-   void Append(const std::vector<double> &row);
+   /// Adds rows, a value for each column, and writes what is new, in such an
+   /// order that the file is whole at all times, with all rows of before,
+   /// whatever happens to the process or the disk.
+   void Append(const std::vector<std::vector<double>> &added);
 
 private:
-   void Save() const;
+   void Extend(const std::vector<double> &row);
+   void Save();
+   /// Replaces the file by the whole of @a image.
+   void WriteWhole(const std::vector<char> &image) const;
+   /// Writes where @a image differs from what is in the file.
+   void WriteChanges(const std::vector<char> &image) const;
 
    std::string path;
    std::int64_t file = -1; // hid_t, kept out of the header
    std::vector<std::int64_t> columns;
    std::uint64_t rows = 0;
+   /// What is in the file.
+   std::vector<char> saved;
 };
 
 /// Reads a column of such a file, closed or still being written.

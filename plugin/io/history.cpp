@@ -71,7 +71,7 @@ public:
 
 private:
    void Open(const std::vector<std::string> &names_, const std::string &file);
-   void Write(const std::vector<double> &values);
+   void Write(const std::vector<std::vector<double>> &added);
    [[noreturn]] void FailCsv() const;
 
    std::string csv_path;
@@ -111,22 +111,25 @@ void History::Files::Open(const std::vector<std::string> &names_,
    hdf5 = std::make_unique<Hdf5Columns>(hdf5_path, names);
 }
 
-void History::Files::Write(const std::vector<double> &values)
+void History::Files::Write(const std::vector<std::vector<double>> &added)
 {
-   // One write of a whole line: a reader never sees half of a number.
-   std::ostringstream line;
-   line << std::setprecision(digits);
-   for (std::size_t i = 0; i < values.size(); i++)
+   for (const std::vector<double> &values : added)
    {
-      line << (i ? "," : "") << values[i];
+      // One write of a whole line: a reader never sees half of a number.
+      std::ostringstream line;
+      line << std::setprecision(digits);
+      for (std::size_t i = 0; i < values.size(); i++)
+      {
+         line << (i ? "," : "") << values[i];
+      }
+      errno = 0;
+      csv << line.str() + "\n" << std::flush;
+      if (!csv)
+      {
+         FailCsv();
+      }
    }
-   errno = 0;
-   csv << line.str() + "\n" << std::flush;
-   if (!csv)
-   {
-      FailCsv();
-   }
-   hdf5->Append(values);
+   hdf5->Append(added);
 }
 
 int History::Files::Keep(real_t last)
@@ -163,10 +166,7 @@ int History::Files::Keep(real_t last)
    // The old file is there until the new one is whole.
    const std::string fresh = csv_path + ".new";
    Open(old_names, fresh);
-   for (const std::vector<double> &values : kept)
-   {
-      Write(values);
-   }
+   Write(kept);
    std::filesystem::rename(fresh, csv_path);
    return static_cast<int>(kept.size());
 }
@@ -196,7 +196,7 @@ void History::Files::Add(const Row &row)
                       ? "no more columns"
                       : "'" + *differs.second + "'"));
    }
-   Write(values);
+   Write({values});
 }
 
 namespace

@@ -70,6 +70,61 @@ TEST_CASE("A killed run leaves all rows but the one in work", "[io]")
    CHECK_THAT(ReadText(temp / "left.csv"), Catch::EndsWith("\n1100,-110\n"));
 }
 
+TEST_CASE("A row is appended to the HDF5 file where it is", "[io]")
+{
+   const TemporaryDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   AddRows(history, 1, 3);
+   temp.OnRootOnly(
+      [&]() {
+         std::filesystem::create_hard_link(temp / "history.h5",
+                                           temp / "same.h5");
+      });
+   AddRows(history, 4, 512);
+   CHECK(ReadHdf5Column(temp / "same.h5", "t").size() == 512);
+   // Another chunk: another file, and the old one stays whole.
+   AddRows(history, 513, 513);
+   CHECK(ReadHdf5Column(temp / "same.h5", "t").size() == 512);
+   CHECK(ReadHdf5Column(temp / "history.h5", "t").size() == 513);
+}
+
+// A kill may come between any two blocks of 512 bytes, the last one first.
+TEST_CASE("Whatever part of a row is written, those of before are there",
+          "[io]")
+{
+   const TemporaryDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   AddRows(history, 1, 600);
+   const std::string before = ReadText(temp / "history.h5");
+   AddRows(history, 601, 601);
+   const std::string after = ReadText(temp / "history.h5");
+   REQUIRE(before.size() == after.size());
+   std::string part = before;
+   int written = 0;
+   for (std::size_t i = (before.size() + 511) / 512; i-- > 0;)
+   {
+      if (before.compare(512 * i, 512, after, 512 * i, 512) == 0)
+      {
+         continue;
+      }
+      part.replace(512 * i, 512, after, 512 * i, 512);
+      written++;
+      CAPTURE(i, written);
+      const std::string file = temp.Write("part.h5", part);
+      for (const std::string column : {"t", "reaction.indenter_top.z"})
+      {
+         const Values values = ReadHdf5Column(file, column);
+         REQUIRE((values.size() == 600 || values.size() == 601));
+         const double factor = column == "t" ? 1.0 : -0.1;
+         CHECK(values[0] == factor);
+         CHECK(values[599] == Approx(600 * factor));
+         CHECK(values.back() == Approx(factor * values.size()));
+      }
+   }
+   CHECK(written >= 2);
+   CHECK(part == after);
+}
+
 TEST_CASE("A new history replaces an old one, before its first row", "[io]")
 {
    const TemporaryDirectory temp;
