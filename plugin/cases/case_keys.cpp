@@ -291,8 +291,10 @@ KeyTable SolverKeys(NonlinearOptions &solver)
    keys.Word<LinearMethod>("linear", linear.method, LinearMethodWords(),
                            "how the linear systems are preconditioned");
    keys
-      .Value("linear_tolerance", linear.relative_tolerance, "",
-             "relative accuracy of the linear systems")
+      .Value("tolerance", linear.relative_tolerance, "",
+             "relative accuracy of Newton's method, and so of the linear "
+             "systems")
+      .Formerly("linear_tolerance")
       .Inside(0.0, 0.1);
    keys
       .Value("max_linear", linear.max_iterations, "",

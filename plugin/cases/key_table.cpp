@@ -109,6 +109,18 @@ CaseKey &CaseKey::Required()
    return *this;
 }
 
+CaseKey &CaseKey::Formerly(const std::string &former_name_)
+{
+   former_name = former_name_;
+   return *this;
+}
+
+const CaseValue *CaseKey::FindIn(const CaseValue &from) const
+{
+   const CaseValue *value = from.Find(name);
+   return value || former_name.empty() ? value : from.Find(former_name);
+}
+
 CaseKey &CaseKey::OnlyFor(const std::string &word)
 {
    only_for = word;
@@ -208,7 +220,8 @@ const CaseKey *KeyTable::Find(const std::string &name) const
 {
    for (const CaseKey &key : keys)
    {
-      if (key.name == name)
+      if (key.name == name ||
+          (!key.former_name.empty() && key.former_name == name))
       {
          return &key;
       }
@@ -301,7 +314,7 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
    }
    for (CaseKey &key : keys)
    {
-      if (const CaseValue *value = from.Find(key.name))
+      if (const CaseValue *value = key.FindIn(from))
       {
          const std::string here = Joined(path, key.name);
          reading.SetPlace(here, value->place);
@@ -311,7 +324,13 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
    for (CaseKey &key : keys)
    {
       const std::string here = Joined(path, key.name);
-      const bool given = from.Find(key.name) != nullptr;
+      const bool given = key.FindIn(from) != nullptr;
+      if (!key.former_name.empty() && from.Find(key.former_name) &&
+          from.Find(key.name))
+      {
+         reading.Complain(here, "it is there as \"" + key.former_name +
+                                   "\", its former name, too");
+      }
       if (!key.only_for.empty() && reading.Complained(Joined(path, ModelKey())))
       {
          continue; // nobody knows for what

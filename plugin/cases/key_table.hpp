@@ -48,6 +48,8 @@ class KeyTable;
 struct CaseKey
 {
    std::string name;
+   /// Another name that it may have in a file, of before; empty for none.
+   std::string former_name;
    std::string unit;
    std::string meaning;
    /// How a complaint about the value calls it, if not by its path.
@@ -71,7 +73,11 @@ struct CaseKey
    };
    std::unique_ptr<List> list;
 
+   /// What @a from has under the name, or under the former one.
+   const CaseValue *FindIn(const CaseValue &from) const;
+
    CaseKey &Required();
+   CaseKey &Formerly(const std::string &former_name_);
    CaseKey &OnlyFor(const std::string &word);
    CaseKey &Named(const std::string &noun_);
    CaseKey &Positive();

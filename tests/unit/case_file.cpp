@@ -167,6 +167,25 @@ TEST_CASE("A case says what makes its mesh", "[case]")
    CHECK_THAT(Written(ParseCase(good, "case.toml")), !Contains("generator"));
 }
 
+TEST_CASE("A key may have its former name, but not both", "[case]")
+{
+   const std::string max_newton = "max_newton = 7";
+   const auto with = [&](const std::string &line)
+   { return Replaced(good, max_newton, max_newton + "\n" + line); };
+   for (const std::string name : {"tolerance", "linear_tolerance"})
+   {
+      const CaseFile setup = ParseCase(with(name + " = 1e-6"), "case.toml");
+      CHECK(setup.solver.linear.relative_tolerance == 1e-6);
+      CHECK_THAT(Written(setup), Contains("\ntolerance = 1e-06\n") &&
+                                    !Contains("linear_tolerance"));
+   }
+   CHECK_THAT(Complaint(with("tolerance = 1e-6\nlinear_tolerance = 1e-7")),
+              Contains("solver.tolerance: it is there as \"linear_tolerance\", "
+                       "its former name, too"));
+   CHECK_THAT(Complaint(with("linear_tolerance = 2.0")),
+              Contains("solver.tolerance: found 2; it must be"));
+}
+
 TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
 {
    struct Fault
