@@ -126,7 +126,7 @@ void Hdf5Columns::Save()
 {
    const bool flushed = H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
    const ssize_t size = flushed ? H5Fget_file_image(file, nullptr, 0) : -1;
-   std::vector<char> image(size > 0 ? size : 0);
+   image.resize(size > 0 ? size : 0);
    if (size <= 0 || H5Fget_file_image(file, image.data(), size) != size)
    {
       Fail("make the contents of", path);
@@ -134,16 +134,16 @@ void Hdf5Columns::Save()
    // A file that grows has another structure: a chunk more for each column.
    if (image.size() == saved.size())
    {
-      WriteChanges(image);
+      WriteChanges();
    }
    else
    {
-      WriteWhole(image);
+      WriteWhole();
    }
-   saved = std::move(image);
+   std::swap(saved, image);
 }
 
-void Hdf5Columns::WriteChanges(const std::vector<char> &image) const
+void Hdf5Columns::WriteChanges() const
 {
    errno = 0;
    std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
@@ -168,7 +168,7 @@ void Hdf5Columns::WriteChanges(const std::vector<char> &image) const
    }
 }
 
-void Hdf5Columns::WriteWhole(const std::vector<char> &image) const
+void Hdf5Columns::WriteWhole() const
 {
    // The old file is there until the new one is whole.
    const std::string fresh = path + ".new";

@@ -28,17 +28,18 @@ public:
 private:
    void Extend(const std::vector<double> &row);
    void Save();
-   /// Replaces the file by the whole of @a image.
-   void WriteWhole(const std::vector<char> &image) const;
-   /// Writes where @a image differs from what is in the file.
-   void WriteChanges(const std::vector<char> &image) const;
+   /// Replaces the file by the whole image.
+   void WriteWhole() const;
+   /// Writes where the image differs from what is in the file.
+   void WriteChanges() const;
 
    std::string path;
    std::int64_t file = -1; // hid_t, kept out of the header
    std::vector<std::int64_t> columns;
    std::uint64_t rows = 0;
-   /// What is in the file.
+   /// What is in the file, and what shall be.
    std::vector<char> saved;
+   std::vector<char> image;
 };
 
 /// Reads a column of such a file, closed or still being written.
