@@ -1,5 +1,6 @@
 #include "cases/problem_report.hpp"
 #include "checks/case_warnings.hpp"
+#include "checks/contact_hints.hpp"
 #include "checks/region_stiffness.hpp"
 #include "general/reduce.hpp"
 #include "general/text_table.hpp"
@@ -26,11 +27,13 @@ constexpr real_t copies_with_factors = 4.0;
 
 ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    : title(setup.title), order(setup.space.order),
-     regions(MeasureRegions(setup, problem)),
+     bodies(FindBodies(problem.Get().Mesh(), problem.Get().Spaces())),
+     regions(MeasureRegions(setup, problem, bodies)),
      stiffness(VerifiedStiffness(setup, problem)),
-     surfaces(MeasureSurfaces(problem.Get().Mesh())),
+     surfaces(MeasureSurfaces(setup, problem.Get().Mesh())),
      pairs(CheckContact(setup, problem)),
-     warnings(FindWarnings(setup, problem, pairs, regions))
+     warnings(FindWarnings(setup, problem, pairs, bodies, regions)),
+     hints(FindContactHints(setup, problem, pairs, bodies, regions))
 {
    MPI_Comm_size(problem.Get().Mesh().GetComm(), &ranks);
    Count(setup, problem);
@@ -76,7 +79,7 @@ void ProblemReport::WriteRegions(std::ostream &out) const
    out << "\nregions\n";
    std::vector<std::vector<std::string>> rows{
       {"", "elements", "volume", "worst quality", "H_A", "eigenvalues",
-       "permeability", "thickness", "gel time"}};
+       "permeability", "thickness", "drainage length", "gel time"}};
    for (size_t i = 0; i < regions.size(); i++)
    {
       const RegionMeasures &region = regions[i];
@@ -87,7 +90,8 @@ void ProblemReport::WriteRegions(std::ostream &out) const
                       Quantity(stiffness[i].least) + " to " +
                          Quantity(stiffness[i].largest),
                       Quantity(region.permeability),
-                      drains ? Quantity(region.thickness) : "-",
+                      region.thickness > 0.0 ? Quantity(region.thickness) : "-",
+                      drains ? Quantity(region.drainage_length) : "-",
                       drains ? Quantity(region.gel_time) : "-"});
    }
    WriteTable(out, rows);
@@ -96,11 +100,12 @@ void ProblemReport::WriteRegions(std::ostream &out) const
 void ProblemReport::WriteSurfaces(std::ostream &out) const
 {
    out << "\nsurfaces\n";
-   std::vector<std::vector<std::string>> rows{{"", "faces", "area"}};
+   std::vector<std::vector<std::string>> rows{
+      {"", "faces", "area", "conditions"}};
    for (const SurfaceMeasures &surface : surfaces)
    {
-      rows.push_back(
-         {surface.name, std::to_string(surface.faces), Quantity(surface.area)});
+      rows.push_back({surface.name, std::to_string(surface.faces),
+                      Quantity(surface.area), surface.conditions});
    }
    WriteTable(out, rows);
 }
@@ -140,6 +145,10 @@ void ProblemReport::Write(std::ostream &out) const
    for (const std::string &warning : warnings)
    {
       out << "warning: " << warning << '\n';
+   }
+   for (const std::string &hint : hints)
+   {
+      out << "hint: " << hint << '\n';
    }
 }
 

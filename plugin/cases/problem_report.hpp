@@ -5,6 +5,7 @@
 #include "cases/stiffness_range.hpp"
 #include "checks/region_measures.hpp"
 #include "checks/surface_measures.hpp"
+#include "physics/body.hpp"
 
 #include <iosfwd>
 #include <string>
@@ -28,6 +29,9 @@ public:
    /// What looks like a mistake, a sentence each.
    const std::vector<std::string> &Warnings() const { return warnings; }
 
+   /// What would make it more accurate, likewise.
+   const std::vector<std::string> &Hints() const { return hints; }
+
    const std::vector<RegionMeasures> &Regions() const { return regions; }
    const std::vector<SurfaceMeasures> &Surfaces() const { return surfaces; }
 
@@ -40,11 +44,13 @@ private:
    std::string title;
    int ranks = 1;
    int order = 2;
+   std::vector<Body> bodies;
    std::vector<RegionMeasures> regions;
    std::vector<StiffnessRange> stiffness;
    std::vector<SurfaceMeasures> surfaces;
    std::vector<PairAtStart> pairs;
    std::vector<std::string> warnings;
+   std::vector<std::string> hints;
    long long displacements = 0;
    long long pressures = 0;
    mfem::real_t gigabytes = 0.0;

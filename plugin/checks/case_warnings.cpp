@@ -1,6 +1,9 @@
 #include "checks/case_warnings.hpp"
 #include "checks/body_warnings.hpp"
+#include "checks/cut_planes.hpp"
+#include "checks/material_warnings.hpp"
 #include "checks/time_warnings.hpp"
+#include "checks/unit_warnings.hpp"
 #include "general/text_table.hpp"
 
 namespace synovia
@@ -11,7 +14,7 @@ using namespace mfem;
 namespace
 {
 // Elements below this are flat enough to spoil stresses and iterations.
-constexpr real_t poor_quality = 0.1;
+constexpr real_t poor_quality = 0.05;
 
 std::vector<std::string>
 FindQualityWarnings(const std::vector<RegionMeasures> &regions)
@@ -35,18 +38,24 @@ std::vector<std::string> FindWarnings(const CaseFile &setup,
                                       CaseProblem &problem,
                                       const std::vector<PairAtStart> &pairs)
 {
-   return FindWarnings(setup, problem, pairs, MeasureRegions(setup, problem));
+   const std::vector<Body> bodies =
+      FindBodies(problem.Get().Mesh(), problem.Get().Spaces());
+   return FindWarnings(setup, problem, pairs, bodies,
+                       MeasureRegions(setup, problem, bodies));
 }
 
 std::vector<std::string>
 FindWarnings(const CaseFile &setup, CaseProblem &problem,
-             const std::vector<PairAtStart> &,
+             const std::vector<PairAtStart> &pairs,
+             const std::vector<Body> &bodies,
              const std::vector<RegionMeasures> &regions)
 {
    std::vector<std::string> warnings;
    for (const auto &found :
-        {FindQualityWarnings(regions), FindTimeWarnings(setup, regions),
-         FindBodyWarnings(setup, problem)})
+        {FindUnitWarnings(setup, problem, pairs, bodies, regions),
+         FindMaterialWarnings(setup), FindTimeWarnings(setup),
+         FindBodyWarnings(setup, problem, pairs, bodies, regions),
+         FindCutWarnings(setup, problem, bodies), FindQualityWarnings(regions)})
    {
       warnings.insert(warnings.end(), found.begin(), found.end());
    }

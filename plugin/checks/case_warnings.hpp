@@ -18,10 +18,11 @@ std::vector<std::string> FindWarnings(const CaseFile &setup,
                                       CaseProblem &problem,
                                       const std::vector<PairAtStart> &pairs);
 
-/// The same if the regions were measured already.
+/// The same if bodies and regions are known already.
 std::vector<std::string>
 FindWarnings(const CaseFile &setup, CaseProblem &problem,
              const std::vector<PairAtStart> &pairs,
+             const std::vector<Body> &bodies,
              const std::vector<RegionMeasures> &regions);
 
 } // namespace synovia

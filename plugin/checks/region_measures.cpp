@@ -1,4 +1,5 @@
 #include "checks/region_measures.hpp"
+#include "checks/body_shape.hpp"
 #include "general/reduce_lists.hpp"
 #include "mesh/element_measure.hpp"
 #include "mesh/mesh_quality.hpp"
@@ -17,7 +18,6 @@ struct Totals
 {
    explicit Totals(int attributes)
       : elements(attributes + 1, 0.0), volume(elements),
-        draining_area(elements),
         quality(attributes + 1, std::numeric_limits<real_t>::infinity())
    {
    }
@@ -25,13 +25,11 @@ struct Totals
    {
       SumOverRanks(elements, comm);
       SumOverRanks(volume, comm);
-      SumOverRanks(draining_area, comm);
       MinOverRanks(quality, comm);
    }
 
    std::vector<real_t> elements;
    std::vector<real_t> volume;
-   std::vector<real_t> draining_area;
    std::vector<real_t> quality;
 };
 
@@ -46,48 +44,23 @@ void AddElements(ParMesh &mesh, Totals &totals)
       totals.quality[region] = std::min(totals.quality[region], jacobians[i]);
    }
 }
-
-void AddDrainingFaces(ParMesh &mesh, const Array<int> &draining, Totals &totals)
-{
-   for (int i = 0; i < mesh.GetNBE(); i++)
-   {
-      if (draining.Find(mesh.GetBdrAttribute(i)) >= 0)
-      {
-         int element;
-         int info;
-         mesh.GetBdrElementAdjacentElement(i, element, info);
-         totals.draining_area[mesh.GetAttribute(element)] +=
-            Measure(*mesh.GetBdrElementTransformation(i));
-      }
-   }
-}
 } // namespace
 
-Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
-{
-   Array<int> draining = ContactSurfaces(setup, mesh);
-   for (const BoundaryCase &boundary : setup.boundaries)
-   {
-      if (boundary.pressure)
-      {
-         for (const std::string &name : boundary.surfaces)
-         {
-            draining.Append(mesh.Boundary(name));
-         }
-      }
-   }
-   return draining;
-}
-
 std::vector<RegionMeasures> MeasureRegions(const CaseFile &setup,
-                                           CaseProblem &problem)
+                                           CaseProblem &problem,
+                                           const std::vector<Body> &bodies)
 {
    NamedMesh &named = problem.Get().Mesh();
    ParMesh &mesh = named.Get();
    Totals totals(mesh.attributes.Max());
    AddElements(mesh, totals);
-   AddDrainingFaces(mesh, DrainingSurfaces(setup, named), totals);
    totals.Reduce(named.GetComm());
+   const std::vector<real_t> thickness =
+      MeasureThickness(setup, problem, bodies);
+   const std::vector<real_t> drainage =
+      MeasureDrainageLengths(setup, problem, bodies);
+   const std::vector<int> body_of =
+      BodyOfRegions(bodies, mesh.attributes.Max());
    std::vector<RegionMeasures> regions;
    for (const int attribute : mesh.attributes)
    {
@@ -100,12 +73,10 @@ std::vector<RegionMeasures> MeasureRegions(const CaseFile &setup,
       region.quality = totals.quality[attribute];
       region.aggregate_modulus = material.solid->AggregateModulus();
       region.permeability = material.permeability->Typical();
-      if (totals.draining_area[attribute] > 0.0)
-      {
-         region.thickness = region.volume / totals.draining_area[attribute];
-         region.gel_time = region.thickness * region.thickness /
-                           (region.aggregate_modulus * region.permeability);
-      }
+      region.thickness = thickness[body_of[attribute]];
+      region.drainage_length = drainage[attribute];
+      region.gel_time = region.drainage_length * region.drainage_length /
+                        (region.aggregate_modulus * region.permeability);
       regions.push_back(region);
    }
    return regions;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/case_problem.hpp"
+#include "physics/body.hpp"
 
 #include <limits>
 #include <string>
@@ -20,17 +21,17 @@ struct RegionMeasures
    mfem::real_t quality = std::numeric_limits<mfem::real_t>::infinity();
    mfem::real_t aggregate_modulus = 0.0;
    mfem::real_t permeability = 0.0;
-   /// Volume over the area from which it drains; 0 if there is none.
+   /// Of its body, under what presses it; 0 if nothing does.
    mfem::real_t thickness = 0.0;
-   /// thickness^2 / (H_A kappa); 0 if it doesn't drain.
+   /// The farthest that fluid has to go to leave its body; 0 if it can't.
+   mfem::real_t drainage_length = 0.0;
+   /// drainage_length^2 / (H_A kappa)
    mfem::real_t gel_time = 0.0;
 };
 
 /// In the order of their attributes. Collective.
 std::vector<RegionMeasures> MeasureRegions(const CaseFile &setup,
-                                           CaseProblem &problem);
-
-/// Attributes of the surfaces from which fluid may leave.
-mfem::Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh);
+                                           CaseProblem &problem,
+                                           const std::vector<Body> &bodies);
 
 } // namespace synovia

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "checks/region_measures.hpp"
+#include "cases/case_file.hpp"
 
 #include <string>
 #include <vector>
@@ -8,10 +8,7 @@
 namespace synovia
 {
 
-/// Loads that are much slower or faster than the fluid, loads and lines that
-/// the run doesn't reach.
-std::vector<std::string>
-FindTimeWarnings(const CaseFile &setup,
-                 const std::vector<RegionMeasures> &regions);
+/// Loads and lines that the run doesn't reach.
+std::vector<std::string> FindTimeWarnings(const CaseFile &setup);
 
 } // namespace synovia

@@ -107,6 +107,16 @@ bool Box::Meets(const Box &box) const
    return true;
 }
 
+real_t Box::Distance(const Point3 &point) const
+{
+   Point3 away;
+   for (int d = 0; d < 3; d++)
+   {
+      away[d] = std::max({low[d] - point[d], point[d] - high[d], real_t(0.0)});
+   }
+   return Length(away);
+}
+
 BoundingVolumeTree::BoundingVolumeTree(const std::vector<Box> &boxes)
    : order(boxes.size())
 {
@@ -210,6 +220,45 @@ void BoundingVolumeTree::VisitBox(const Box &box,
                                   const std::function<void(int)> &visit) const
 {
    Visit([&](const Box &candidate) { return candidate.Meets(box); }, visit);
+}
+
+real_t BoundingVolumeTree::LeastDistance(
+   const Point3 &point, real_t enough,
+   const std::function<real_t(int)> &distance) const
+{
+   real_t least = std::numeric_limits<real_t>::infinity();
+   if (nodes.empty())
+   {
+      return least;
+   }
+   // The nearer half of a box comes first.
+   std::array<int, 64> stack;
+   int top = 0;
+   stack[top++] = 0;
+   while (top > 0 && least > enough)
+   {
+      const Node &node = nodes[stack[--top]];
+      if (node.box.Distance(point) >= least)
+      {
+         continue;
+      }
+      if (node.left >= 0)
+      {
+         const bool left_first = nodes[node.left].box.Distance(point) <
+                                 nodes[node.right].box.Distance(point);
+         stack[top++] = left_first ? node.right : node.left;
+         stack[top++] = left_first ? node.left : node.right;
+         continue;
+      }
+      for (int i = node.begin; i < node.end; i++)
+      {
+         if (leaves[i].Distance(point) < least)
+         {
+            least = std::min(least, distance(order[i]));
+         }
+      }
+   }
+   return least;
 }
 
 } // namespace synovia

@@ -21,6 +21,8 @@ struct Box
    /// Whether the segment from @a a to @a b meets the box.
    bool MeetsSegment(const Point3 &a, const Point3 &b) const;
    bool Meets(const Box &box) const;
+   /// From a point to the nearest one of the box.
+   mfem::real_t Distance(const Point3 &point) const;
 
    Point3 low;
    Point3 high;
@@ -37,6 +39,11 @@ public:
                      const std::function<void(int)> &visit) const;
    /// Likewise with each box that meets the @a box.
    void VisitBox(const Box &box, const std::function<void(int)> &visit) const;
+   /// The least @a distance of what is in the boxes to a point; the first that
+   /// is not above @a enough does.
+   mfem::real_t
+   LeastDistance(const Point3 &point, mfem::real_t enough,
+                 const std::function<mfem::real_t(int)> &distance) const;
 
 private:
    struct Node

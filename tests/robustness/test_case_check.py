@@ -84,9 +84,39 @@ class GoodCase(Driver):
                           "--set", "material.indenter.permeability.value=4e-12",
                           "--set", "time.end=100")
         self.assert_good(run)
-        self.assertIn("much faster than any gel time", run.stdout)
+        self.assertIn("all permeabilities look 1e+12 times too small",
+                      run.stdout)
+        self.assertIn("hardly any fluid moves", run.stdout)
         self.assertIn("the run ends at 100", run.stdout)
         self.assertIn('"axis" is not sampled at 250', run.stdout)
+
+    def test_warnings_say_where(self) -> None:
+        said = {}
+        for ranks in (0, 2, 3):
+            run = self.run_it(self.case, "--check", "--set",
+                              "mesh.scale=0.001", ranks=ranks)
+            self.assert_good(run)
+            (said[ranks],) = (line for line in run.stdout.splitlines()
+                              if line.startswith("warning: "))
+        self.assertEqual(len(set(said.values())), 1, said)
+        for text in ("case.toml:", "mesh.file: the mesh looks 1000 times too "
+                     "small", "set mesh.scale = 1"):
+            self.assertIn(text, said[0])
+
+    def test_forgotten_symmetry(self) -> None:
+        text = self.case.read_text()
+        old = 'surfaces = ["symmetry_y"]'
+        self.assertIn(old, text)
+        self.case.write_text(text.replace(old, 'surfaces = ["bone"]'))
+        run = self.run_it(self.case, "--check", ranks=2)
+        self.assert_good(run)
+        for text in ('"symmetry_y" of "cartilage" in the plane y = 0',
+                     '"indenter" ends there too',
+                     'prescribe displacement = ["free", 0, "free"]'):
+            self.assertIn(text, run.stdout)
+        (row,) = (line for line in run.stdout.splitlines()
+                  if line.split()[:1] == ["symmetry_y"])
+        self.assertIn("traction-free, sealed", row)
 
     def test_runs_and_goes_on(self) -> None:
         coarse = ["--set", "space.order=1", "--set", "time.step=50"]

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "cases/case_file.hpp"
+#include "physics/body.hpp"
+
+#include <array>
+#include <vector>
+
+namespace synovia
+{
+
+/// Along which axes contact can push a body, up and down, and along which it
+/// has loads.
+struct ContactGrip
+{
+   std::array<bool, 3> pushes_up{{false, false, false}};
+   std::array<bool, 3> pushes_down{{false, false, false}};
+   std::array<bool, 3> loaded{{false, false, false}};
+};
+
+/// By body. Collective.
+std::vector<ContactGrip> FindContactGrips(const CaseFile &setup,
+                                          NamedMesh &mesh,
+                                          const std::vector<Body> &bodies);
+
+} // namespace synovia

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "cases/case_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// Drained solids that are nearly incompressible.
+std::vector<std::string> FindMaterialWarnings(const CaseFile &setup);
+
+} // namespace synovia

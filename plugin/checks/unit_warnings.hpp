@@ -1,0 +1,22 @@
+#pragma once
+
+#include "cases/contact_check.hpp"
+#include "checks/region_measures.hpp"
+#include "physics/body.hpp"
+
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// Says in one sentence, if the sizes, loads, times and materials of a case
+/// don't fit each other, what is most likely in another unit, and by which
+/// factor. Collective.
+std::vector<std::string>
+FindUnitWarnings(const CaseFile &setup, CaseProblem &problem,
+                 const std::vector<PairAtStart> &pairs,
+                 const std::vector<Body> &bodies,
+                 const std::vector<RegionMeasures> &regions);
+
+} // namespace synovia
