@@ -69,7 +69,7 @@ std::string WhyLoose(const ContactGrip &grip, int axis, real_t gap,
    {
       return "from one side, and no load presses it against that";
    }
-   if (gap > touching * thickness)
+   if (!grip.driven[axis] && gap > touching * thickness)
    {
       return std::isfinite(gap)
                 ? "which it doesn't touch yet: the least gap is " +

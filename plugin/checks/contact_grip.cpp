@@ -54,9 +54,9 @@ void AddLoads(const BoundaryCase &boundary, ContactGrip &grip)
 {
    for (int d = 0; d < 3; d++)
    {
+      grip.driven[d] = grip.driven[d] || boundary.force.Drives(d);
       grip.loaded[d] =
-         grip.loaded[d] || boundary.force.Drives(d) ||
-         boundary.normal_traction ||
+         grip.loaded[d] || grip.driven[d] || boundary.normal_traction ||
          (boundary.traction && Amplitude((*boundary.traction)[d]) > 0.0);
    }
 }

@@ -9,13 +9,14 @@
 namespace synovia
 {
 
-/// Along which axes contact can push a body, up and down, and along which it
-/// has loads.
+/// Along which axes contact can push a body, up and down, along which it has
+/// loads, and along which a force drives it until it touches.
 struct ContactGrip
 {
    std::array<bool, 3> pushes_up{{false, false, false}};
    std::array<bool, 3> pushes_down{{false, false, false}};
    std::array<bool, 3> loaded{{false, false, false}};
+   std::array<bool, 3> driven{{false, false, false}};
 };
 
 /// By body. Collective.

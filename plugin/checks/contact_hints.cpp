@@ -104,7 +104,7 @@ void AdviseOnFacets(const CaseFile &setup, size_t pair,
       Where(setup, pair, source ? "source" : "destination") + "the faces of " +
       Names(source ? contact.source : contact.destination) +
       " are flat where the surface is round: with edges of " +
-      Quantity(worse.edge) + " and a radius of " + Quantity(worse.radius) +
+      Quantity(worse.edge) + " and a radius of " + Quantity(worse.Radius()) +
       " both sides miss it by " + Quantity(missed) + " (h^2/(8 R)), " +
       Quantity(100.0 * missed / approach) + " % of an approach of " +
       Quantity(approach) +

@@ -64,12 +64,13 @@ struct SideSums
 {
    real_t area = 0.0;
    real_t edge = 0.0;
+   /// Of faces whose sagitta can be told.
+   real_t told_area = 0.0;
    real_t sagitta = 0.0;
-   real_t curvature = 0.0;
 
    void Reduce(MPI_Comm comm)
    {
-      for (real_t *sum : {&area, &edge, &sagitta, &curvature})
+      for (real_t *sum : {&area, &edge, &told_area, &sagitta})
       {
          *sum = SumOverRanks(*sum, comm);
       }
@@ -77,30 +78,26 @@ struct SideSums
 };
 
 // How far a flat face with these corners misses a smooth surface with the
-// normals there, and how much that is curved: along its longest edge.
-void AddBend(const FaceCorners &face, real_t area, SideSums &sums)
+// normals there, along the edge where it is most, unless all edges are at rims.
+void AddSagitta(const FaceCorners &face, real_t area, SideSums &sums)
 {
-   real_t sagitta = 0.0;
-   real_t curvature = 0.0;
+   real_t sagitta = -1.0;
    const size_t count = face.points.size();
    for (size_t i = 0; i < count; i++)
    {
       const size_t j = (i + 1) % count;
-      if (face.sharp[i] || face.sharp[j])
+      if (face.smooth[i] && face.smooth[j])
       {
-         continue;
-      }
-      const Point3 along = Sum(face.points[j], -1.0, face.points[i]);
-      const real_t turn =
-         std::abs(Dot(Sum(face.normals[j], -1.0, face.normals[i]), along));
-      if (turn / 8.0 > sagitta)
-      {
-         sagitta = turn / 8.0;
-         curvature = turn / Dot(along, along);
+         const Point3 along = Sum(face.points[j], -1.0, face.points[i]);
+         const Point3 turn = Sum(face.normals[j], -1.0, face.normals[i]);
+         sagitta = std::max(sagitta, std::abs(Dot(turn, along)) / 8.0);
       }
    }
-   sums.sagitta += area * sagitta;
-   sums.curvature += area * curvature;
+   if (sagitta >= 0.0)
+   {
+      sums.told_area += area;
+      sums.sagitta += area * sagitta;
+   }
 }
 
 class SideMeasurement
@@ -139,15 +136,13 @@ public:
       sums.Reduce(mesh.GetComm());
       ContactSide side;
       side.modulus = -MaxOverRanks(-softest, mesh.GetComm());
-      side.radius = std::numeric_limits<real_t>::infinity();
       if (sums.area > 0.0)
       {
          side.edge = sums.edge / sums.area;
-         side.sagitta = sums.sagitta / sums.area;
       }
-      if (sums.curvature > 0.0)
+      if (sums.told_area > 0.0)
       {
-         side.radius = sums.area / sums.curvature;
+         side.sagitta = sums.sagitta / sums.told_area;
       }
       return side;
    }
@@ -166,7 +161,7 @@ private:
       sums.edge += area * std::sqrt(square);
       if (IsStraight(mesh))
       {
-         AddBend(face, area, sums);
+         AddSagitta(face, area, sums);
       }
    }
 

@@ -15,10 +15,11 @@ struct ContactSide
    /// The least aggregate modulus behind it (stress).
    mfem::real_t modulus = 0.0;
    /// If its faces are flat, their mean distance from the smooth surface
-   /// through their corners, h^2 / (8 R), and the mean radius; else 0 and
-   /// infinity. Sharp edges count nothing.
+   /// through their corners; else 0. Sharp edges count nothing.
    mfem::real_t sagitta = 0.0;
-   mfem::real_t radius = 0.0;
+
+   /// Of a surface that such faces with such edges miss so: h^2 / (8 s).
+   mfem::real_t Radius() const { return edge * edge / (8.0 * sagitta); }
 };
 
 struct ContactSides

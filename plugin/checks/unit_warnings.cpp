@@ -13,6 +13,9 @@ namespace
 {
 // Suspicions must leave less than this part of what is strange, in decades.
 constexpr real_t explains = 0.5;
+// Suspicions that leave the same but for this are a tie, whatever the
+// round-off.
+constexpr real_t tie = 1e-6;
 
 /// A quantity that may be in another unit than the rest.
 struct Suspicion
@@ -23,6 +26,8 @@ struct Suspicion
    std::string what;
    std::string looks;
    std::string remedy;
+   /// Whether it is about all materials.
+   bool of_all = false;
 };
 
 real_t Strangeness(const std::vector<UnitSign> &signs)
@@ -119,6 +124,7 @@ private:
                     Materials() > 1 ? "all permeabilities look"
                                     : "the permeability looks",
                     Looks(factor), remedy};
+      all.of_all = true;
       all.factors.permeability.assign(Materials(), factor);
       list.push_back(all);
    }
@@ -139,6 +145,7 @@ private:
                     Materials() > 1 ? "all stiffnesses look"
                                     : "the stiffness looks",
                     Looks(factor), remedy};
+      all.of_all = true;
       all.factors.stiffness.assign(Materials(), factor);
       list.push_back(all);
    }
@@ -152,6 +159,25 @@ private:
    const CaseNumbers &numbers;
    std::vector<Suspicion> list;
 };
+
+// If the same of all materials explains as much as that of one.
+std::string OrAll(const std::vector<Suspicion> &suspicions,
+                  const Suspicion &likely, const CaseNumbers &numbers,
+                  real_t least)
+{
+   for (const Suspicion &other : suspicions)
+   {
+      const bool is_alike = other.of_all && !likely.of_all &&
+                            other.looks == likely.looks &&
+                            other.remedy == likely.remedy;
+      if (is_alike &&
+          Strangeness(FindUnitSigns(numbers, other.factors)) < least + tie)
+      {
+         return " (or " + other.what + " so)";
+      }
+   }
+   return "";
+}
 
 // What can't be so, and if there is more that is strange, the strangest of it.
 std::string FactsOf(std::vector<UnitSign> signs)
@@ -199,8 +225,7 @@ FindUnitWarnings(const CaseFile &setup, CaseProblem &problem,
    {
       const real_t left =
          Strangeness(FindUnitSigns(numbers, suspicion.factors));
-      // Of two that explain as much the first is taken, whatever the round-off.
-      if (left < least - 1e-6)
+      if (left < least - tie)
       {
          least = left;
          likely = &suspicion;
@@ -213,7 +238,8 @@ FindUnitWarnings(const CaseFile &setup, CaseProblem &problem,
               "times"};
    }
    return {WhereIs(setup.places, likely->path) + ": " + likely->what + " " +
-           likely->looks + ": " + FactsOf(signs) + "; " + likely->remedy};
+           likely->looks + OrAll(suspicions.List(), *likely, numbers, least) +
+           ": " + FactsOf(signs) + "; " + likely->remedy};
 }
 
 } // namespace synovia

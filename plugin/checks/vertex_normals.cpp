@@ -1,6 +1,7 @@
 #include "checks/vertex_normals.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
@@ -12,6 +13,9 @@ namespace
 // Faces that are turned from the mean normal by more than 30 degrees meet at an
 // edge.
 constexpr real_t smooth_cosine = 0.866;
+// Around a vertex within a surface the angles add up to 2 pi, at its rim to
+// about half of that.
+constexpr real_t angle_within = 1.5 * M_PI;
 
 // The corners of a boundary element, seen from outside, and its area vector.
 std::vector<Point3> PointsOf(ParMesh &mesh, int boundary_element)
@@ -46,6 +50,15 @@ Point3 Unit(const Point3 &vector)
    const real_t length = Length(vector);
    return Sum({0, 0, 0}, length > 0.0 ? 1.0 / length : 0.0, vector);
 }
+
+real_t AngleAt(const std::vector<Point3> &points, size_t corner)
+{
+   const size_t count = points.size();
+   const Point3 &at = points[corner];
+   const Point3 next = Sum(points[(corner + 1) % count], -1.0, at);
+   const Point3 last = Sum(points[(corner + count - 1) % count], -1.0, at);
+   return std::atan2(Length(Cross(next, last)), Dot(next, last));
+}
 } // namespace
 
 Point3 FaceCorners::Centre() const
@@ -61,7 +74,8 @@ Point3 FaceCorners::Centre() const
 VertexNormals::VertexNormals(BiphasicSpaces &spaces_,
                              const Array<int> &surfaces)
    : spaces(spaces_), normals(spaces.Multiplier().GetVSize()),
-     least_cosine(spaces.Multiplier().GetVSize())
+     least_cosine(spaces.Multiplier().GetVSize()),
+     angle(spaces.Multiplier().GetVSize())
 {
    ParMesh &mesh = spaces.GetMesh();
    ParFiniteElementSpace &vertices = spaces.Multiplier();
@@ -72,6 +86,7 @@ VertexNormals::VertexNormals(BiphasicSpaces &spaces_,
       sum.SetSize(count);
       sum = 0.0;
    }
+   angle = 0.0;
    const auto for_each_face = [&](auto visit)
    {
       Array<int> dofs;
@@ -80,25 +95,27 @@ VertexNormals::VertexNormals(BiphasicSpaces &spaces_,
          if (surfaces.Find(mesh.GetBdrAttribute(i)) >= 0)
          {
             vertices.GetBdrElementDofs(i, dofs);
-            visit(dofs, AreaOf(PointsOf(mesh, i)));
+            visit(dofs, PointsOf(mesh, i));
          }
       }
    };
    for_each_face(
-      [&](const Array<int> &dofs, const Point3 &area)
+      [&](const Array<int> &dofs, const std::vector<Point3> &points)
       {
-         for (const int dof : dofs)
+         const Point3 area = AreaOf(points);
+         for (int k = 0; k < dofs.Size(); k++)
          {
+            angle[dofs[k]] += AngleAt(points, k);
             for (int d = 0; d < 3; d++)
             {
-               sums[d][dof] += area[d];
+               sums[d][dofs[k]] += area[d];
             }
          }
       });
-   for (Array<real_t> &sum : sums)
+   for (Array<real_t> *sum : {&sums[0], &sums[1], &sums[2], &angle})
    {
-      vertices.GroupComm().Reduce<real_t>(sum, GroupCommunicator::Sum);
-      vertices.GroupComm().Bcast(sum);
+      vertices.GroupComm().Reduce<real_t>(*sum, GroupCommunicator::Sum);
+      vertices.GroupComm().Bcast(*sum);
    }
    for (int i = 0; i < count; i++)
    {
@@ -106,12 +123,13 @@ VertexNormals::VertexNormals(BiphasicSpaces &spaces_,
    }
    least_cosine = 1.0;
    for_each_face(
-      [&](const Array<int> &dofs, const Point3 &area)
+      [&](const Array<int> &dofs, const std::vector<Point3> &points)
       {
+         const Point3 normal = Unit(AreaOf(points));
          for (const int dof : dofs)
          {
             least_cosine[dof] =
-               std::min(least_cosine[dof], Dot(normals[dof], Unit(area)));
+               std::min(least_cosine[dof], Dot(normals[dof], normal));
          }
       });
    vertices.GroupComm().Reduce<real_t>(least_cosine, GroupCommunicator::Min);
@@ -127,7 +145,8 @@ FaceCorners VertexNormals::Corners(int boundary_element) const
    for (const int dof : dofs)
    {
       face.normals.push_back(normals[dof]);
-      face.sharp.push_back(least_cosine[dof] < smooth_cosine);
+      face.smooth.push_back(least_cosine[dof] > smooth_cosine &&
+                            angle[dof] > angle_within);
    }
    return face;
 }

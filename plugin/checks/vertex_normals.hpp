@@ -13,8 +13,8 @@ struct FaceCorners
 {
    std::vector<Point3> points;
    std::vector<Point3> normals;
-   /// Whether the surface has an edge there, and no normal.
-   std::vector<bool> sharp;
+   /// Whether the surface goes on around it, without an edge.
+   std::vector<bool> smooth;
 
    Point3 Centre() const;
 };
@@ -36,6 +36,8 @@ private:
    std::vector<Point3> normals;
    /// The least cosine of a face's normal to it.
    mfem::Array<mfem::real_t> least_cosine;
+   /// The sum of the faces' angles.
+   mfem::Array<mfem::real_t> angle;
 };
 
 } // namespace synovia

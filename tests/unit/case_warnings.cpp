@@ -248,7 +248,7 @@ TEST_CASE("Wrong units of all materials are told from the mesh's", "[warnings]")
       CheckOneWarning(WarningsOf(both(text, "5e5,", "5e8,", "E")),
                       {"all stiffnesses look 1e+06 times too large"});
       CheckOneWarning(WarningsOf(both(text, "5e-7,", "5e-4,", "E")),
-                      {"all stiffnesses look 1e+06 times too small"});
+                      {"all stiffnesses look", "1e+06 times too small"});
 
       NamedMesh meters = PressedLayer(1e-3);
       CheckOneWarning(WarningsOf(text, meters),
@@ -296,6 +296,7 @@ TEST_CASE("Free sides are not planes of symmetry", "[warnings]")
 {
    // Two blocks of one width, free on all sides.
    BoxOptions block = BlockOptions();
+   block.nz = 2;
    NamedMesh mesh = MakeStack(block, block);
    std::string text = pressed_layer;
    for (const char *surfaces :
@@ -371,9 +372,14 @@ displacement = [0, 0, 0]
    Mesh apart = MakeStackMesh(LayerOptions(), BlockOptions());
    LiftBlock(0.5, apart);
    NamedMesh mesh = DistributeStack(apart, MPI_COMM_WORLD);
-   CheckOneWarning(WarningsOf(WithForce(), mesh),
-                   {"only contact holds \"upper\" along z, which it doesn't "
-                    "touch yet: the least gap is 0.5"});
+   CHECK(WarningsOf(WithForce(), mesh) == "");
+   const std::string with_traction = Replaced(
+      WithForce(),
+      "force = {direction = [0, 0, -1], curve = ", "traction = [0, 0, ");
+   CheckOneWarning(
+      WarningsOf(Replaced(with_traction, "[0, 0.2]}}", "[0, -0.05]}]"), mesh),
+      {"only contact holds \"upper\" along z, which it doesn't "
+       "touch yet: the least gap is 0.5"});
 }
 
 TEST_CASE("Layers are measured through and to where they drain", "[warnings]")
@@ -473,7 +479,7 @@ TEST_CASE("Flat faces of round contact surfaces", "[warnings]")
       MeasureContactSides(setup, problem, CheckContact(setup, problem));
    REQUIRE(sides.size() == 1);
    CHECK(sides[0].source.edge == Approx(0.5).epsilon(0.05));
-   CHECK(sides[0].source.radius == Approx(radius).epsilon(0.2));
+   CHECK(sides[0].source.Radius() == Approx(radius).epsilon(0.2));
    CHECK(sides[0].source.sagitta == Approx(0.25 / (8.0 * radius)).epsilon(0.2));
    CHECK(sides[0].destination.sagitta < 1e-12);
 
