@@ -24,9 +24,10 @@ the condyles and the front of the trochlea are cut off straight.
 Without IMAGE it is that of a real knee: see scripts/get_knee_image --help.
 
 Sample runs:
-  scripts/python meshes/knee_from_segmentation.py -o knee.msh
-  scripts/python meshes/knee_from_segmentation.py --size 1.65
-  scripts/python meshes/knee_from_segmentation.py IMAGE --size 0.52
+  image=$(scripts/get_knee_image)
+  scripts/python meshes/knee_from_segmentation.py "$image" -o knee.msh
+  scripts/python meshes/knee_from_segmentation.py "$image" --size 1.65
+  scripts/python meshes/knee_from_segmentation.py "$image" --size 0.52
 
 These have 37,000, 9,000 and 270,000 hexahedra.
 """

@@ -7,9 +7,9 @@
     scaling      one step of two curved layers, up to a million unknowns
 
 Writes OUT/tables.md: each table with commit, date, processor, memory and
-versions of libraries. --write-tables puts them into the READMEs as well, between
-the comments that name them. Times mean something on an idle machine only. Meshes
-are made by meshes/, so that this Python needs gmsh, numpy and scipy.
+versions of libraries. --write-tables puts them into the READMEs as well,
+between the comments that name them. Times mean something on an idle machine
+only. Meshes are made by meshes/, so that this Python needs gmsh and scipy.
 """
 
 from __future__ import annotations

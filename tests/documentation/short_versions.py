@@ -1,0 +1,164 @@
+"""How the documentation's commands are made short for a test.
+
+Rule: a program gets options behind its own, which make its mesh as coarse as
+the program's tests have it, and its run a few long steps to the same end. What
+can't run in a test is listed with its reason, and what stands in for it.
+"""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import re
+import shlex
+import tomllib
+
+from commands import Block, DocumentationError, simple_commands
+
+STEPS = 6       # of a run
+# End of the miniapps' runs (s); scripts/run without a case is the indentation.
+ENDS = {"indentation": 1500.0, "scripts/run": 1500.0}
+COARSE = {
+    "boxes.py": "3", "glenohumeral.py": "2.5", "hertz.py": "1.5",
+    "indentation.py": "3", "knee_from_segmentation.py": "3",
+    "knee_parametric.py": "4", "meniscus_ring.py": "1.8"}
+KNEE = ["knee_parametric.py", "--size", COARSE["knee_parametric.py"]]
+
+# Other options that make a program quick.
+SMALL = {
+    "knee": {"--step": "50", "--end": "50"},
+    "scaling": {"--size": "2", "--steps": "1"},
+    "partial_assembly": {"--size": "2"},
+    "scripts/benchmark": {"--sweep": "jump"},
+    "scripts/benchmark --tables": {"--table": "scaling", "--coarsen": "6"}}
+# Of MFEM's parser, which takes an option only once.
+LONG_NAMES = {"-s": "--steps", "-n": "--size", "-dt": "--step"}
+AS_THEY_ARE = {
+    "cd", "cmake", "columns", "scripts/report", "scripts/setup",
+    "plot_glenohumeral.py", "plot_knee.py", "plot_knee_mesh.py"}
+# Commands that don't run here, to the letter, and why.
+NOT_RUN = {
+    "cmake -S . -B build -DMFEM_DIR=/path/to/mfem":
+        "the path stands for one of the reader",
+    "cmake --build build": "all is built when tests run",
+    "ctest --test-dir build": "would run this test",
+    "cmake --install build --prefix /where/you/like":
+        "the path stands for one of the reader",
+    "scripts/test --sanitize": "builds all of it a second time",
+    "sbatch scripts/benchmark.slurm": "needs a cluster",
+    "scripts/python scripts/plot_accuracy.py out/accuracy":
+        "measures for an hour",
+}
+# Programs in whose place another runs, and why.
+INSTEAD = {
+    "scripts/get_knee_image": "downloads 93 MB; a made-up image is taken",
+    "scripts/test": "runs this test; ctest lists what it would run",
+}
+
+
+def name_of(word: str) -> str:
+    """What a program is called in the tables."""
+    path = pathlib.PurePath(word)
+    return str(path) if path.parts[0] == "scripts" and not path.suffix \
+        else path.name
+
+
+class ShortCommand:
+    """A command, and what is run in its place: nothing if `why` says so."""
+
+    def __init__(self, words: list[str], folder: pathlib.Path,
+                 image: pathlib.Path, place: str):
+        self.text = " ".join(words)
+        self.why = NOT_RUN.get(self.text, "")
+        self.program = ""
+        self.short: str | None = None
+        if self.why:
+            return
+        assignment = re.fullmatch(r"(\w+)=\$\((scripts/get_knee_image)\)",
+                                  self.text)
+        if assignment:
+            self.program = assignment[2]
+            self.short = f"{assignment[1]}={shlex.quote(str(image))}"
+            return
+        start = launchers(words)
+        self.program = name_of(words[start])
+        arguments = [shlex.split(word)[0] for word in words[start + 1:]]
+        if self.program == "scripts/test":
+            self.short = shlex.join(
+                ["ctest", "--test-dir", "build", "-N", *arguments])
+            return
+        options = options_for(self.program, arguments, folder)
+        if options is None:
+            raise DocumentationError(
+                f"{place}: no short version of '{self.program}' is known; "
+                "tests/documentation/short_versions.py lists them")
+        self.short = " ".join(with_options(words, options))
+
+
+def launchers(words: list[str]) -> int:
+    """How many words come before the program."""
+    count = 3 if words[0] == "mpirun" else 0
+    return count + words[count].endswith("scripts/python")
+
+
+def with_options(words: list[str], options: list[tuple[str, str]]
+                 ) -> list[str]:
+    """Options that are there get another value, but for --set."""
+    words = list(words)
+    names = [LONG_NAMES.get(word, word) for word in words]
+    for option, value in options:
+        if option in names and option != "--set":
+            words[names.index(option) + 1] = shlex.quote(value)
+        else:
+            words += [option, shlex.quote(value)]
+    return words
+
+
+def options_for(program: str, arguments: list[str], folder: pathlib.Path
+                ) -> list[tuple[str, str]] | None:
+    if program in AS_THEY_ARE or {"--list", "--dry-schema", "--version",
+                                  "--help"} & set(arguments):
+        return []
+    if program in SMALL:
+        which = f"{program} --tables" if "--tables" in arguments else program
+        return list(SMALL[which].items())
+    if program in COARSE:
+        return [("--size", COARSE[program])]
+    cases = [word for word in arguments if word.endswith(".toml")]
+    if program == "scripts/run" and arguments and not cases \
+            and not arguments[0].startswith("-"):
+        cases = [f"miniapps/cases/{arguments[0]}.toml"]
+    if program in ("synovia", "scripts/run") and cases:
+        return case_options(folder / cases[0], arguments,
+                            program == "scripts/run")
+    if program in ENDS:
+        return [("--step", f"{ENDS[program] / STEPS:g}"),
+                ("--fields-every", "1")]
+    return None
+
+
+def case_options(file: pathlib.Path, arguments: list[str],
+                 makes_mesh: bool) -> list[tuple[str, str]]:
+    case = tomllib.loads(file.read_text(encoding="utf-8"))
+    settings = dict(word.split("=", 1) for option, word
+                    in zip(arguments, arguments[1:]) if option == "--set")
+    end = float(settings.get("time.end", case["time"]["end"]))
+    options = [f"time.step={end / STEPS:g}", "output.fields_every=1"]
+    if makes_mesh:
+        script, *own = case["mesh"]["generator"]
+        # The image of a real knee has to be downloaded.
+        generator = (KNEE if script == "knee_from_segmentation.py"
+                     else [script, *own, "--size", COARSE[script]])
+        options.append(f"mesh.generator={json.dumps(generator)}")
+    return [("--set", option) for option in options]
+
+
+def shorten(block: Block, root: pathlib.Path,
+            image: pathlib.Path) -> list[ShortCommand]:
+    commands = []
+    folder = root
+    for words in simple_commands(block):
+        commands.append(ShortCommand(words, folder, image, block.place))
+        if words[0] == "cd":
+            folder = folder / words[1]
+    return commands
