@@ -25,10 +25,8 @@
 // Sample runs (scripts/run does all of it):
 //   scripts/python meshes/indentation.py -o indentation.msh
 //   mpirun -np 2 indentation --mesh indentation.msh
-//   mpirun -np 2 indentation --mesh indentation.msh --rigid --scheme sdirk33 \
-//     --output out/rigid
-//   mpirun -np 2 indentation --mesh indentation.msh --solver block_amg \
-//     --output out/block_amg
+//   mpirun -np 2 indentation -m indentation.msh -out out/rigid -r -s sdirk33
+//   mpirun -np 2 indentation -m indentation.msh -out out/amg -ls block_amg
 
 #include "synovia.hpp"
 

@@ -35,8 +35,7 @@
 // Sample runs:
 //   scripts/python meshes/knee_parametric.py -o knee.msh
 //   mpirun -np 2 knee --mesh knee.msh
-//   mpirun -np 2 knee --mesh knee.msh --shear 0.1 --order 2 --output
-//   out/order_2
+//   mpirun -np 2 knee --mesh knee.msh --order 2 --output out/order_2
 
 #include "synovia.hpp"
 

@@ -99,6 +99,12 @@ def case_commands(root: pathlib.Path, file: str) -> list[Block]:
                   "".join(text + "\n" for text in commands.values()))]
 
 
+def cases(root: pathlib.Path) -> list[pathlib.Path]:
+    """Without the frames that a mesh script writes beside its mesh."""
+    return [file for file in sorted(root.glob("miniapps/cases/*.toml"))
+            if not file.name.endswith(".frames.toml")]
+
+
 def shell_blocks(root: pathlib.Path) -> list[Block]:
     """All of them; each is a shell of its own, in the root directory."""
     blocks = [block for file in readmes(root)
@@ -107,7 +113,7 @@ def shell_blocks(root: pathlib.Path) -> list[Block]:
                 if file.read_text(encoding="utf-8").startswith("#!")]
     for path in (*sorted(root.glob("miniapps/*.cpp")), *programs):
         blocks += sample_runs(root, str(path.relative_to(root)))
-    for path in sorted(root.glob("miniapps/cases/*.toml")):
+    for path in cases(root):
         blocks += case_commands(root, str(path.relative_to(root)))
     return blocks
 
