@@ -1,42 +1,34 @@
 #pragma once
 
-#include "mesh/gmsh_session.hpp"
+#include "mfem.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 
 namespace synovia
 {
 
-/// One of gmsh's element types.
+/// One of gmsh's element types, with nodes in gmsh's order: the corners first.
 struct GmshElementType
 {
+   /// Such as "Hexahedron 20".
    std::string name;
+   mfem::Geometry::Type geometry = mfem::Geometry::INVALID;
    int dimension = -1;
    int order = 0;
    int nodes = 0;
    int corners = 0;
-   /// Reference coordinates of the nodes: u, v, w of each, the corners first.
-   std::vector<double> reference;
+   /// Whether nodes within faces and elements are left out; those that there
+   /// are come first among the nodes of the complete type.
+   bool serendipity = false;
 };
 
-/// The element types of gmsh's library.
-class GmshElementTypes
-{
-public:
-   /// The properties of a type, by its number in a file; with 0 nodes if gmsh
-   /// does not have it or the type has no fixed number of nodes.
-   const GmshElementType &Get(int number);
+/// A type by its number in a file; with 0 nodes if it is not supported, as
+/// incomplete ones above order 2 aren't.
+const GmshElementType &GmshType(int number);
 
-   /// Values of the Lagrange functions of a type, point after point, at
-   /// reference points given as u, v, w each. Empty if gmsh does not have them.
-   std::vector<double> Basis(int number,
-                             const std::vector<double> &points) const;
-
-private:
-   GmshSession session;
-   std::map<int, GmshElementType> known;
-};
+/// For each point of the lattice of a complete volume element, x running first
+/// and z last, the place of its node in gmsh's order.
+std::vector<int> GmshNodesOfLattice(mfem::Geometry::Type geometry, int order);
 
 } // namespace synovia

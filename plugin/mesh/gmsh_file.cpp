@@ -41,25 +41,24 @@ std::vector<int> Union(const std::vector<int> &a, const std::vector<int> &b)
 }
 
 // The corners of a cell, ascending after as many -1 as it has fewer than 8.
-std::array<int, 8> SortedCorners(GmshElementTypes &types, const MshCells &cells,
-                                 const MshCell &cell)
+std::array<int, 8> SortedCorners(const MshCells &cells, const MshCell &cell)
 {
    std::array<int, 8> corners;
    corners.fill(-1);
    const auto from = cells.nodes.begin() + cell.first;
-   std::copy(from, from + types.Get(cell.type).corners, corners.begin());
+   std::copy(from, from + GmshType(cell.type).corners, corners.begin());
    std::sort(corners.begin(), corners.end());
    return corners;
 }
 
 // Version 2 repeats an element for every group that it is in: leaves one, in
 // all the groups.
-void MergeDoubles(GmshElementTypes &types, MshCells &cells)
+void MergeDoubles(MshCells &cells)
 {
    std::vector<std::pair<std::array<int, 8>, size_t>> keys;
    for (size_t i = 0; i < cells.list.size(); i++)
    {
-      keys.emplace_back(SortedCorners(types, cells, cells.list[i]), i);
+      keys.emplace_back(SortedCorners(cells, cells.list[i]), i);
    }
    std::sort(keys.begin(), keys.end());
    std::map<std::vector<int>, int> places;
@@ -94,7 +93,7 @@ void MergeDoubles(GmshElementTypes &types, MshCells &cells)
    cells.list.resize(kept);
 }
 
-void CheckVolumes(GmshElementTypes &types, const MshContents &contents)
+void CheckVolumes(const MshContents &contents)
 {
    const MshCells &cells = contents.volumes;
    if (cells.list.empty())
@@ -107,13 +106,8 @@ void CheckVolumes(GmshElementTypes &types, const MshContents &contents)
    for (const MshCell &cell : cells.list)
    {
       const std::string element = "element " + std::to_string(cell.number);
-      const GmshElementType &type = types.Get(cell.type);
-      if (GeometryOf(type) == Geometry::INVALID)
-      {
-         throw Error(element + " is of gmsh's type \"" + type.name +
-                     "\", which is not supported");
-      }
-      const auto corners = SortedCorners(types, cells, cell);
+      const GmshElementType &type = GmshType(cell.type);
+      const auto corners = SortedCorners(cells, cell);
       const auto first = corners.end() - type.corners;
       if (std::adjacent_find(first, corners.end()) != corners.end())
       {
@@ -123,8 +117,7 @@ void CheckVolumes(GmshElementTypes &types, const MshContents &contents)
 }
 
 // Sets the shapes; returns for each the order of its nodes in a mirror.
-std::vector<std::vector<int>> SetShapes(GmshElementTypes &types,
-                                        const MshCells &cells, FlatMesh &flat)
+std::vector<std::vector<int>> SetShapes(const MshCells &cells, FlatMesh &flat)
 {
    std::vector<std::vector<int>> mirrored;
    std::map<int, int> places;
@@ -133,8 +126,8 @@ std::vector<std::vector<int>> SetShapes(GmshElementTypes &types,
       const auto entry = places.emplace(cell.type, places.size());
       if (entry.second)
       {
-         const GmshElementType &type = types.Get(cell.type);
-         flat.shapes.push_back({GeometryOf(type), type.order, type.nodes, {}});
+         const GmshElementType &type = GmshType(cell.type);
+         flat.shapes.push_back({type.geometry, type.order, type.nodes, {}});
          flat.order = std::max(flat.order, type.order);
          mirrored.push_back(MirroredNodes(type));
       }
@@ -145,7 +138,7 @@ std::vector<std::vector<int>> SetShapes(GmshElementTypes &types,
       if (flat.order > 1)
       {
          flat.shapes[place.second].basis =
-            BasisAtNodalPoints(types, place.first, flat.order);
+            BasisAtNodalPoints(GmshType(place.first), flat.order);
       }
    }
    return mirrored;
@@ -153,8 +146,7 @@ std::vector<std::vector<int>> SetShapes(GmshElementTypes &types,
 
 // Sets the nodes: the corners of volume elements, then their other nodes.
 // Returns the place of each node of the file there, -1 if it is left out.
-std::vector<int> SetNodes(GmshElementTypes &types, const MshContents &contents,
-                          FlatMesh &flat)
+std::vector<int> SetNodes(const MshContents &contents, FlatMesh &flat)
 {
    enum Kind
    {
@@ -165,7 +157,7 @@ std::vector<int> SetNodes(GmshElementTypes &types, const MshContents &contents,
    std::vector<Kind> kinds(contents.coordinates.size() / 3, unused);
    for (const MshCell &cell : contents.volumes.list)
    {
-      const GmshElementType &type = types.Get(cell.type);
+      const GmshElementType &type = GmshType(cell.type);
       for (int j = 0; j < type.nodes; j++)
       {
          Kind &kind = kinds[contents.volumes.nodes[cell.first + j]];
@@ -190,15 +182,15 @@ std::vector<int> SetNodes(GmshElementTypes &types, const MshContents &contents,
    return places;
 }
 
-void SetElements(GmshElementTypes &types, const MshCells &cells,
-                 const std::vector<int> &node_places, FlatMesh &flat)
+void SetElements(const MshCells &cells, const std::vector<int> &node_places,
+                 FlatMesh &flat)
 {
    GroupAttributes attributes(cells.names);
    Culprits without_group;
    for (const MshCell &cell : cells.list)
    {
       flat.element_numbers.push_back(cell.number);
-      for (int j = 0; j < types.Get(cell.type).nodes; j++)
+      for (int j = 0; j < GmshType(cell.type).nodes; j++)
       {
          flat.element_nodes.push_back(node_places[cells.nodes[cell.first + j]]);
       }
@@ -225,11 +217,10 @@ void SetElements(GmshElementTypes &types, const MshCells &cells,
 
 // The key of the face that a surface element is; false if not all its corners
 // are those of volume elements.
-bool FindFace(GmshElementTypes &types, const MshCells &cells,
-              const MshCell &cell, const std::vector<int> &node_places,
-              FaceKey &key)
+bool FindFace(const MshCells &cells, const MshCell &cell,
+              const std::vector<int> &node_places, FaceKey &key)
 {
-   const int corners = types.Get(cell.type).corners;
+   const int corners = GmshType(cell.type).corners;
    if (corners != 3 && corners != 4)
    {
       return false;
@@ -249,8 +240,7 @@ bool FindFace(GmshElementTypes &types, const MshCells &cells,
 
 // The physical groups of the outer faces that have any.
 std::map<FaceKey, std::vector<int>>
-GroupsOfOuterFaces(GmshElementTypes &types, const MshCells &cells,
-                   const std::vector<int> &node_places,
+GroupsOfOuterFaces(const MshCells &cells, const std::vector<int> &node_places,
                    const std::vector<FaceSide> &sides)
 {
    std::map<FaceKey, std::vector<int>> groups;
@@ -263,7 +253,7 @@ GroupsOfOuterFaces(GmshElementTypes &types, const MshCells &cells,
          continue;
       }
       FaceSide side = {{-1, -1, -1, -1}, -1, -1};
-      const bool found = FindFace(types, cells, cell, node_places, side.key);
+      const bool found = FindFace(cells, cell, node_places, side.key);
       const auto range =
          std::equal_range(sides.begin(), sides.end(), side, ComesBefore);
       if (!found || range.first == range.second)
@@ -289,11 +279,10 @@ GroupsOfOuterFaces(GmshElementTypes &types, const MshCells &cells,
    return groups;
 }
 
-void SetFaces(GmshElementTypes &types, const MshCells &cells,
-              const std::vector<int> &node_places,
+void SetFaces(const MshCells &cells, const std::vector<int> &node_places,
               const std::vector<FaceSide> &sides, FlatMesh &flat)
 {
-   const auto groups = GroupsOfOuterFaces(types, cells, node_places, sides);
+   const auto groups = GroupsOfOuterFaces(cells, node_places, sides);
    GroupAttributes attributes(cells.names);
    for (const auto &entry : groups)
    {
@@ -324,20 +313,19 @@ void SetFaces(GmshElementTypes &types, const MshCells &cells,
 
 FlatMesh ReadGmshFile(const std::string &path)
 {
-   GmshElementTypes types;
-   MshContents contents = ReadMsh(path, types);
-   CheckVolumes(types, contents);
-   MergeDoubles(types, contents.volumes);
+   MshContents contents = ReadMsh(path);
+   CheckVolumes(contents);
+   MergeDoubles(contents.volumes);
    FlatMesh flat;
-   const auto mirrored = SetShapes(types, contents.volumes, flat);
-   const std::vector<int> node_places = SetNodes(types, contents, flat);
-   SetElements(types, contents.volumes, node_places, flat);
+   const auto mirrored = SetShapes(contents.volumes, flat);
+   const std::vector<int> node_places = SetNodes(contents, flat);
+   SetElements(contents.volumes, node_places, flat);
    std::vector<FaceSide> sides = SortedFaceSides(flat);
    if (OrientElements(flat, sides, mirrored) > 0)
    {
       sides = SortedFaceSides(flat);
    }
-   SetFaces(types, contents.surfaces, node_places, sides, flat);
+   SetFaces(contents.surfaces, node_places, sides, flat);
    return flat;
 }
 

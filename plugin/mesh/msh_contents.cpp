@@ -54,10 +54,7 @@ std::string ReadFile(const std::string &path)
 class MshReader
 {
 public:
-   MshReader(std::string text, GmshElementTypes &types_)
-      : cursor(std::move(text)), types(types_)
-   {
-   }
+   explicit MshReader(std::string text) : cursor(std::move(text)) {}
 
    MshContents Read()
    {
@@ -87,7 +84,6 @@ private:
    using Tag = int;
 
    MshCursor cursor;
-   GmshElementTypes &types;
    MshContents contents;
 
    std::set<std::string> seen;
@@ -427,11 +423,13 @@ private:
 
    const GmshElementType &Type(int number)
    {
-      const GmshElementType &type = types.Get(number);
+      const GmshElementType &type = GmshType(number);
       if (type.nodes < 1)
       {
-         cursor.Fail("there is no element type " + std::to_string(number) +
-                     ", or it is not supported");
+         cursor.Fail(
+            "there is no element type " + std::to_string(number) +
+            ", or it is not supported: complete elements are, and incomplete "
+            "ones of order 2");
       }
       return type;
    }
@@ -447,7 +445,7 @@ private:
    void AddCell(int type, size_t number, int entity,
                 const std::vector<int> &groups)
    {
-      const int dimension = types.Get(type).dimension;
+      const int dimension = GmshType(type).dimension;
       MshCells *const cells = CellsOf(dimension);
       if (!cells)
       {
@@ -500,9 +498,9 @@ private:
 
 } // namespace
 
-MshContents ReadMsh(const std::string &path, GmshElementTypes &types)
+MshContents ReadMsh(const std::string &path)
 {
-   return MshReader(ReadFile(path), types).Read();
+   return MshReader(ReadFile(path)).Read();
 }
 
 } // namespace synovia

@@ -51,6 +51,6 @@ struct MshContents
 /// file, so that damaged ones crash it, and in version 2 it takes the physical
 /// tags of all elements of an entity together, so that the regions get mixed up
 /// where another program has written one entity for all.
-MshContents ReadMsh(const std::string &path, GmshElementTypes &types);
+MshContents ReadMsh(const std::string &path);
 
 } // namespace synovia

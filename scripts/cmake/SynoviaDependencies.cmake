@@ -24,16 +24,3 @@ if(NOT TARGET synovia::hdf5)
   target_compile_definitions(synovia::hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
   target_link_libraries(synovia::hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 endif()
-
-find_path(GMSH_INCLUDE_DIR gmsh.h)
-find_library(GMSH_LIBRARY gmsh)
-if(NOT GMSH_INCLUDE_DIR OR NOT GMSH_LIBRARY)
-  message(FATAL_ERROR "gmsh's library was not found. Install it (Debian: "
-    "libgmsh-dev), or pass -DCMAKE_PREFIX_PATH=<prefix>.")
-endif()
-if(NOT TARGET synovia::gmsh)
-  add_library(synovia::gmsh UNKNOWN IMPORTED)
-  set_target_properties(synovia::gmsh PROPERTIES
-    IMPORTED_LOCATION "${GMSH_LIBRARY}"
-    INTERFACE_INCLUDE_DIRECTORIES "${GMSH_INCLUDE_DIR}")
-endif()

@@ -115,7 +115,8 @@ TEST_CASE("gmsh reader errors: damaged text")
    CHECK(error("$Nodes\n12", "$Nodes\n11") ==
          "expected $EndNodes, found \"12\" (line 17)");
    CHECK(error(" 5 2 10 1 ", " 5000 2 10 1 ") ==
-         "there is no element type 5000, or it is not supported (line 26)");
+         "there is no element type 5000, or it is not supported: complete "
+         "elements are, and incomplete ones of order 2 (line 26)");
    CHECK(error(" 5 2 10 1 ", " 5 2 2147483647 1 ") ==
          "the physical tag 2147483647 is beyond 10000000 (line 26)");
    CHECK(error("\n2 1 0 0\n", "\n2 nan 0 0\n") ==
