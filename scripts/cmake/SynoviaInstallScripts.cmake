@@ -3,7 +3,7 @@
 set(synovia_data_dir ${CMAKE_INSTALL_DATADIR}/synovia)
 
 install(DIRECTORY miniapps/cases DESTINATION ${synovia_data_dir}
-  FILES_MATCHING PATTERN "*.toml")
+  FILES_MATCHING PATTERN "*.toml" PATTERN "*.frames.toml" EXCLUDE)
 install(DIRECTORY meshes DESTINATION ${synovia_data_dir}
   USE_SOURCE_PERMISSIONS FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/get_knee_image scripts/plot_glenohumeral.py

@@ -82,7 +82,7 @@ def is_older(mesh: pathlib.Path) -> bool:
 
 
 def make(command: list[str], settings: CaseSettings) -> None:
-    """Puts the mesh, and what the script writes beside it, into place."""
+    """Puts the mesh into place; what else the script writes is left out."""
     mesh = settings.mesh.absolute()
     if not mesh.parent.is_dir():
         raise GeneratorError(f"there is no directory '{mesh.parent}'")
@@ -100,9 +100,7 @@ def make(command: list[str], settings: CaseSettings) -> None:
         with open(part, "a", encoding="utf-8") as file:
             file.write(f"$Comments\n{MADE_BY}{json.dumps(command)}\n"
                        "$EndComments\n")
-        for file in sorted(pathlib.Path(work).iterdir(),
-                           key=lambda made: made == part):
-            os.replace(file, mesh.parent / file.name)
+        os.replace(part, mesh)
 
 
 def bring_up_to_date(settings: CaseSettings) -> None:

@@ -20,8 +20,8 @@ setup_all()
    exec 9>&-
 }
 
-# build DIRECTORY TARGET [CMAKE_ARGUMENT...]: nobody else builds there, or runs tests,
-# until the calling script ends.
+# build DIRECTORY TARGET [CMAKE_ARGUMENT...]: nobody else builds there, or runs
+# tests, until the calling script ends.
 build()
 {
    local directory=$1 target=$2

@@ -215,11 +215,13 @@ def main() -> None:
                      indentation_hexahedra, glenohumeral,
                      glenohumeral_hexahedra, meniscus_ring):
             case(run)
-    for case in sorted(CASES.glob("*.toml")):
+    shipped = [case for case in sorted(CASES.glob("*.toml"))
+               if not case.name.endswith(".frames.toml")]
+    for case in shipped:
         check("penalty" not in case.read_text(), f"{case.name}: no penalty")
     # test_knee.py runs that one.
     check(run_cases | {"knee"}
-          == {case.stem for case in CASES.glob("*.toml")} | {"case"},
+          == {case.stem for case in shipped} | {"case"},
           "all cases were run")
     finish()
 
