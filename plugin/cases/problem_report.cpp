@@ -29,6 +29,7 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    : title(setup.title), order(setup.space.order),
      bodies(FindBodies(problem.Get().Mesh(), problem.Get().Spaces())),
      regions(MeasureRegions(setup, problem, bodies)),
+     elements(MeasureElements(problem.Get().Mesh())),
      stiffness(VerifiedStiffness(setup, problem)),
      surfaces(MeasureSurfaces(setup, problem.Get().Mesh())),
      pairs(CheckContact(setup, problem)),
@@ -36,6 +37,9 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
      hints(FindContactHints(setup, problem, pairs, bodies, regions))
 {
    MPI_Comm_size(problem.Get().Mesh().GetComm(), &ranks);
+   const std::vector<std::string> flat =
+      FindQualityWarnings(problem.Get().Mesh(), elements);
+   warnings.insert(warnings.end(), flat.begin(), flat.end());
    Count(setup, problem);
 }
 
@@ -84,8 +88,9 @@ void ProblemReport::WriteRegions(std::ostream &out) const
    {
       const RegionMeasures &region = regions[i];
       const bool drains = region.gel_time > 0.0;
-      rows.push_back({region.name, std::to_string(region.elements),
-                      Quantity(region.volume), Quantity(region.quality),
+      rows.push_back({region.name, std::to_string(elements[i].elements),
+                      Quantity(elements[i].volume),
+                      Quantity(elements[i].quality),
                       Quantity(region.aggregate_modulus),
                       Quantity(stiffness[i].least) + " to " +
                          Quantity(stiffness[i].largest),

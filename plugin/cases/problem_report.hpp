@@ -3,6 +3,7 @@
 #include "cases/case_problem.hpp"
 #include "cases/contact_check.hpp"
 #include "cases/stiffness_range.hpp"
+#include "checks/element_measures.hpp"
 #include "checks/region_measures.hpp"
 #include "checks/surface_measures.hpp"
 #include "physics/body.hpp"
@@ -46,6 +47,7 @@ private:
    int order = 2;
    std::vector<Body> bodies;
    std::vector<RegionMeasures> regions;
+   std::vector<ElementMeasures> elements;
    std::vector<StiffnessRange> stiffness;
    std::vector<SurfaceMeasures> surfaces;
    std::vector<PairAtStart> pairs;

@@ -4,35 +4,11 @@
 #include "checks/material_warnings.hpp"
 #include "checks/time_warnings.hpp"
 #include "checks/unit_warnings.hpp"
-#include "general/text_table.hpp"
 
 namespace synovia
 {
 
 using namespace mfem;
-
-namespace
-{
-// Elements below this are flat enough to spoil stresses and iterations.
-constexpr real_t poor_quality = 0.05;
-
-std::vector<std::string>
-FindQualityWarnings(const std::vector<RegionMeasures> &regions)
-{
-   std::vector<std::string> warnings;
-   for (const RegionMeasures &region : regions)
-   {
-      if (region.quality < poor_quality)
-      {
-         warnings.push_back("the worst element of \"" + region.name +
-                            "\" has a scaled Jacobian of " +
-                            Quantity(region.quality) +
-                            " (1 is perfect, 0 is flat)");
-      }
-   }
-   return warnings;
-}
-} // namespace
 
 std::vector<std::string> FindWarnings(const CaseFile &setup,
                                       CaseProblem &problem,
@@ -55,7 +31,7 @@ FindWarnings(const CaseFile &setup, CaseProblem &problem,
         {FindUnitWarnings(setup, problem, pairs, bodies, regions),
          FindMaterialWarnings(setup), FindTimeWarnings(setup),
          FindBodyWarnings(setup, problem, pairs, bodies, regions),
-         FindCutWarnings(setup, problem, bodies), FindQualityWarnings(regions)})
+         FindCutWarnings(setup, problem, bodies)})
    {
       warnings.insert(warnings.end(), found.begin(), found.end());
    }

@@ -3,22 +3,17 @@
 #include "cases/case_problem.hpp"
 #include "physics/body.hpp"
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace synovia
 {
 
-/// What one region is and is made of.
+/// What one region is made of, and how far it is through it.
 struct RegionMeasures
 {
    std::string name;
    int attribute = 0;
-   long long elements = 0;
-   mfem::real_t volume = 0.0;
-   /// Scaled Jacobian of the worst element.
-   mfem::real_t quality = std::numeric_limits<mfem::real_t>::infinity();
    mfem::real_t aggregate_modulus = 0.0;
    mfem::real_t permeability = 0.0;
    /// Of its body, under what presses it; 0 if nothing does.
