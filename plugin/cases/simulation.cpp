@@ -429,6 +429,15 @@ void Simulation::Finish()
    {
       Say(largest);
    }
+   for (const ContactPair *pair : problem.Get().Operator().Pairs())
+   {
+      if (!pair->HasTouched())
+      {
+         Say("warning: contact pair \"" + pair->Name() +
+             "\" never touched; are its surfaces, the gap between them and "
+             "the loads right?");
+      }
+   }
 }
 
 } // namespace synovia

@@ -502,6 +502,12 @@ void ContactPair::Accept()
    {
       accepted_vectors[i] = *working[i];
    }
+   touched = touched || (traction.Size() > 0 && traction.Min() < 0.0);
+}
+
+bool ContactPair::HasTouched() const
+{
+   return AnyRank(touched, comm);
 }
 
 void ContactPair::Restore()
@@ -540,6 +546,8 @@ void ContactPair::Archive(StateArchive &archive)
    archive.Number("contact." + name + ".jump_stiffening",
                   accepted_stiffening.jump);
    archive.Flag("contact." + name + ".reached", reached);
+   touched = HasTouched();
+   archive.Flag("contact." + name + ".touched", touched);
    archive.Field("contact." + name + ".removed_overlap", space,
                  removed_overlap);
    if (archive.Reads())

@@ -189,6 +189,9 @@ public:
    void Accept();
    void Restore();
 
+   /// Whether there was contact at any Accept(). Collective.
+   bool HasTouched() const;
+
    /// Lists what was remembered; reading sets it. Collective.
    void Archive(StateArchive &archive);
 
@@ -272,6 +275,8 @@ private:
    mfem::Array<bool> seal_opened;
    mfem::real_t time_step = std::numeric_limits<mfem::real_t>::infinity();
    bool reached = false;
+   /// A vertex of this rank, in what was accepted.
+   bool touched = false;
 
    /// What the bodies resist at a vertex (stress / length).
    mfem::Vector resistance;

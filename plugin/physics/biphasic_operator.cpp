@@ -49,6 +49,7 @@ BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
      bodies(
         AssembleTimed(times.assembly, spaces, materials, conditions.Springs())),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
+     freedoms(body_list, spaces, conditions),
      start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
      rate(height), support(spaces.Offsets()[1])
 {
@@ -219,6 +220,12 @@ bool BiphasicOperator::Fail(const std::string &reason)
    report.converged = false;
    report.reason = reason;
    return false;
+}
+
+bool BiphasicOperator::FailSolve(const std::string &reason)
+{
+   const std::string loose = freedoms.Objection(pairs, 0.0);
+   return Fail(loose.empty() ? reason : loose + " (" + reason + ")");
 }
 
 void BiphasicOperator::Search(const Stage &stage)
@@ -417,6 +424,14 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       }
       report.augmentations++;
    }
+   // Residuals may be forces of contact that bears nothing.
+   constexpr real_t bears = 100.0;
+   const std::string loose =
+      freedoms.Objection(pairs, bears * tolerance.momentum);
+   if (!loose.empty())
+   {
+      return Fail(loose);
+   }
    for (ContactPair *pair : pairs)
    {
       pair->Store(stage.time);
@@ -470,8 +485,8 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       }
       if (!result.converged)
       {
-         return Fail("the linear solver did not converge in " +
-                     std::to_string(result.iterations) + " iterations");
+         return FailSolve("the linear solver did not converge in " +
+                          std::to_string(result.iterations) + " iterations");
       }
       stage.u += step.GetBlock(0);
       stage.p += step.GetBlock(1);
@@ -494,10 +509,8 @@ bool BiphasicOperator::Escapes(const Vector &step)
    {
       if (!(std::abs(travel.distance) <= away * extent))
       {
-         Fail("nothing resists the force on \"" + travel.name +
-              "\": it would move by " + ToText(travel.distance) +
-              "; its body must be held along the force by another support, by "
-              "springs, or by contact that touches from the start");
+         FailSolve("the force on \"" + travel.name + "\" would move it by " +
+                   ToText(travel.distance));
          return true;
       }
    }

@@ -4,6 +4,7 @@
 #include "physics/body_form.hpp"
 #include "physics/boundary_conditions.hpp"
 #include "physics/first_approach.hpp"
+#include "physics/rigid_freedoms.hpp"
 #include "solvers/biphasic_linear_solver.hpp"
 
 #include <memory>
@@ -146,6 +147,8 @@ private:
    /// solved, exchanges; false if that hardly changes it.
    bool Tighten(const Stage &stage, ResidualTolerance &tolerance) const;
    bool Fail(const std::string &reason);
+   /// The same, with the bodies that are loose as contact is now.
+   bool FailSolve(const std::string &reason);
    /// Whether a surface that a force moves would leave; fails if so.
    bool Escapes(const mfem::Vector &step);
    void RecordBalance(const Stage &stage);
@@ -158,6 +161,7 @@ private:
    PhaseTimes times;
    std::unique_ptr<BodyForm> bodies;
    RigidSurfaces rigid;
+   RigidFreedoms freedoms;
    FirstApproach start;
    /// Size of the mesh (length), where surfaces are driven.
    mfem::real_t extent = 0.0;

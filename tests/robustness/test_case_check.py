@@ -137,6 +137,24 @@ displacement = ["free", 0, "free"]
             self.run_it(self.case, "--set", "space.order=2", "--output",
                         "here", "--resume"), "checkpoint_")
 
+    def test_never_touched(self) -> None:
+        coarse = ["--set", "space.order=1", "--set", "time.step=50"]
+        lifted = ('boundary.indenter_top.displacement='
+                  '["free", "free", {times = [0, 50, 100], '
+                  'values = [0, %s, 0.01]}]')
+        says = 'warning: contact pair "indenter-cartilage" never touched'
+        run = self.run_it(self.case, *coarse, "--set", lifted % "0.01",
+                          "--set", "time.end=50", "--output", "up", ranks=2)
+        self.assert_good(run)
+        self.assertIn(says, run.stdout)
+        self.assertIn(says, (self.folder / "up" / "run.log").read_text())
+        # What touched before it went on has touched.
+        for arguments in (["time.end=50"], ["time.end=100", "--resume"]):
+            run = self.run_it(self.case, *coarse, "--set", lifted % "-0.01",
+                              "--set", *arguments, "--output", "down")
+            self.assert_good(run)
+            self.assertNotIn(says, run.stdout)
+
     def test_prints(self) -> None:
         schema = self.run_it("--dry-schema")
         self.assert_good(schema)

@@ -1,0 +1,315 @@
+#include "physics/rigid_freedoms.hpp"
+#include "general/reduce.hpp"
+#include "general/text.hpp"
+#include "physics/null_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+constexpr int per_body = RigidMotions::per_body;
+// Part of a motion below which it is round-off.
+constexpr real_t tiny = 1e-5;
+
+void SumOverRanks(DenseMatrix &matrix, MPI_Comm comm)
+{
+   MPI_Allreduce(MPI_IN_PLACE, matrix.Data(), matrix.Height() * matrix.Width(),
+                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+}
+
+// However stiff or large its parts are.
+void AddScaled(const DenseMatrix &part, DenseMatrix &sum)
+{
+   const real_t scale = part.MaxMaxNorm();
+   if (scale > 0.0)
+   {
+      sum.Add(1.0 / scale, part);
+   }
+}
+
+// Adds s r r^T for the motions r of one body at a dof.
+void AddSquare(const RigidMotions &motions, int dof, real_t s, DenseMatrix &sum)
+{
+   const int first = per_body * motions.BodyOf(dof);
+   for (int j = 0; j < per_body; j++)
+   {
+      for (int i = 0; i < per_body; i++)
+      {
+         sum(first + i, first + j) +=
+            s * motions.At(dof, i) * motions.At(dof, j);
+      }
+   }
+}
+
+std::string AxisText(const Point3 &direction)
+{
+   const char *const axes[3] = {"x", "y", "z"};
+   const real_t length = Length(direction);
+   for (int d = 0; d < 3; d++)
+   {
+      if (std::abs(direction[d]) > (1.0 - tiny) * length)
+      {
+         return axes[d];
+      }
+   }
+   return "(" + ToText(direction[0] / length) + ", " +
+          ToText(direction[1] / length) + ", " + ToText(direction[2] / length) +
+          ")";
+}
+
+// Round-off left of zero reads badly.
+std::string PlaceText(const Point3 &place, real_t size)
+{
+   std::string text;
+   for (const real_t x : place)
+   {
+      text += (text.empty() ? "(" : ", ") +
+              ToText(std::abs(x) < tiny * size ? 0.0 : x);
+   }
+   return text + ")";
+}
+} // namespace
+
+RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
+                             BiphasicSpaces &spaces,
+                             const BoundaryConditions &conditions)
+   : comm(spaces.GetComm()), motions(bodies, spaces)
+{
+   const DenseMatrix all = OfSupports(spaces, conditions);
+   std::set<int> found;
+   for (const Vector &motion : NullSpace(all))
+   {
+      for (int i = 0; i < motion.Size(); i++)
+      {
+         if (std::abs(motion[i]) > tiny)
+         {
+            found.insert(i / per_body);
+         }
+      }
+   }
+   loose.assign(found.begin(), found.end());
+   const int size = per_body * static_cast<int>(loose.size());
+   supports.SetSize(size);
+   for (int j = 0; j < size; j++)
+   {
+      for (int i = 0; i < size; i++)
+      {
+         supports(i, j) = all(per_body * loose[i / per_body] + i % per_body,
+                              per_body * loose[j / per_body] + j % per_body);
+      }
+   }
+   for (const int body : loose)
+   {
+      names.push_back("\"" + bodies[body].name + "\"");
+   }
+}
+
+DenseMatrix
+RigidFreedoms::OfSupports(BiphasicSpaces &spaces,
+                          const BoundaryConditions &conditions) const
+{
+   const int size = per_body * motions.Bodies();
+   DenseMatrix sum(size);
+   sum = 0.0;
+   DenseMatrix part(size);
+   part = 0.0;
+   for (const int dof : conditions.DisplacementDofs())
+   {
+      AddSquare(motions, dof, 1.0, part);
+   }
+   SumOverRanks(part, comm);
+   AddScaled(part, sum);
+   for (const DrivenSurface &surface : conditions.DrivenSurfaces())
+   {
+      AddScaled(OfDriven(spaces, surface), sum);
+   }
+   for (const SpringFoundation &springs : conditions.Springs())
+   {
+      AddScaled(OfSprings(springs), sum);
+   }
+   return sum;
+}
+
+DenseMatrix RigidFreedoms::OfDriven(BiphasicSpaces &spaces,
+                                    const DrivenSurface &surface) const
+{
+   // u - d q with the q that fits best.
+   Array<int> marker(spaces.GetMesh().bdr_attributes.Max());
+   marker = 0;
+   for (const int attribute : surface.boundary)
+   {
+      marker[attribute - 1] = 1;
+   }
+   const int size = per_body * motions.Bodies();
+   DenseMatrix part(size);
+   part = 0.0;
+   Vector mean(size + 1);
+   mean = 0.0;
+   for (int d = 0; d < 3; d++)
+   {
+      const real_t share = surface.direction[d];
+      Array<int> dofs;
+      spaces.Displacement().GetEssentialTrueDofs(marker, dofs, d);
+      for (int i = 0; share != 0.0 && i < dofs.Size(); i++)
+      {
+         AddSquare(motions, dofs[i], 1.0, part);
+         const int first = per_body * motions.BodyOf(dofs[i]);
+         for (int m = 0; m < per_body; m++)
+         {
+            mean[first + m] += share * motions.At(dofs[i], m);
+         }
+         mean[size] += share * share;
+      }
+   }
+   SumOverRanks(part, comm);
+   MPI_Allreduce(MPI_IN_PLACE, mean.GetData(), mean.Size(),
+                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+   for (int j = 0; j < size; j++)
+   {
+      for (int i = 0; i < size; i++)
+      {
+         part(i, j) -= mean[i] * mean[j] / mean[size];
+      }
+   }
+   return part;
+}
+
+DenseMatrix RigidFreedoms::OfSprings(const SpringFoundation &springs) const
+{
+   const int bodies = motions.Bodies();
+   DenseMatrix part(per_body * bodies);
+   part = 0.0;
+   for (int m = 0; m < per_body; m++)
+   {
+      // Springs don't couple bodies.
+      const Vector motion = motions.OfAll(m);
+      Vector force(motion.Size());
+      springs.Matrix().Mult(1.0, motion, 0.0, force);
+      force.HostRead();
+      for (int dof = 0; dof < force.Size(); dof++)
+      {
+         const int first = per_body * motions.BodyOf(dof);
+         for (int i = 0; force[dof] != 0.0 && i < per_body; i++)
+         {
+            part(first + i, first + m) += motions.At(dof, i) * force[dof];
+         }
+      }
+   }
+   SumOverRanks(part, comm);
+   return part;
+}
+
+DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
+                                     real_t least_force) const
+{
+   // Vertices that bear next to nothing may as well bear nothing.
+   constexpr real_t counts = 1e-6;
+   const int size = static_cast<int>(supports.Height());
+   DenseMatrix part(size);
+   part = 0.0;
+   const Vector &area = pair.Operators().area;
+   Vector force(area.Size());
+   for (int j = 0; j < force.Size(); j++)
+   {
+      force[j] = std::max(0.0, -pair.Traction()[j] * area[j]);
+   }
+   const real_t whole = synovia::SumOverRanks(force.Sum(), comm);
+   if (!(whole > least_force))
+   {
+      return part;
+   }
+   std::vector<Vector> rows;
+   for (const int body : loose)
+   {
+      for (int m = 0; m < per_body; m++)
+      {
+         rows.emplace_back(area.Size());
+         pair.Operators().gap->Mult(1.0, motions.Displacement(body, m), 0.0,
+                                    rows.back());
+         rows.back().HostRead();
+      }
+   }
+   for (int j = 0; j < force.Size(); j++)
+   {
+      for (int a = 0; force[j] > counts * whole && a < size; a++)
+      {
+         for (int b = 0; b < size; b++)
+         {
+            part(a, b) += area[j] * rows[a][j] * rows[b][j];
+         }
+      }
+   }
+   SumOverRanks(part, comm);
+   return part;
+}
+
+std::string RigidFreedoms::Describe(const Vector &motion, int place) const
+{
+   const int body = loose[place];
+   const real_t *r = motion.GetData() + per_body * place;
+   const Point3 shift{r[0], r[1], r[2]};
+   const Point3 turn{r[3], r[4], r[5]};
+   if (Length(turn) <= tiny)
+   {
+      return "move along " + AxisText(shift);
+   }
+   const real_t radius = motions.Radius(body);
+   const Point3 rate = Sum({0.0, 0.0, 0.0}, 1.0 / radius, turn);
+   const Point3 center =
+      Sum(motions.Center(body), 1.0 / Dot(rate, rate), Cross(rate, shift));
+   return "turn about " + AxisText(turn) + " through " +
+          PlaceText(center, radius);
+}
+
+std::string RigidFreedoms::Objection(const std::vector<ContactPair *> &pairs,
+                                     real_t least_force) const
+{
+   if (HoldAll())
+   {
+      return "";
+   }
+   DenseMatrix all(supports);
+   for (const ContactPair *pair : pairs)
+   {
+      AddScaled(OfContact(*pair, least_force), all);
+   }
+   // By the bodies that move together.
+   std::map<std::string, std::string> freedoms;
+   for (const Vector &motion : NullSpace(all))
+   {
+      std::string together;
+      std::string how;
+      for (int i = 0; i < static_cast<int>(loose.size()); i++)
+      {
+         const Vector part(motion.GetData() + per_body * i, per_body);
+         if (part.Normlinf() > tiny)
+         {
+            together += (together.empty() ? "" : " and ") + names[i];
+            how = how.empty() ? Describe(motion, i) : how;
+         }
+      }
+      std::string &text = freedoms[together];
+      text += (text.empty() ? "" : ", ") + how;
+   }
+   std::string objection;
+   for (const auto &[together, how] : freedoms)
+   {
+      objection += (objection.empty() ? "nothing holds " : "; nothing holds ") +
+                   together + ", free to " + how;
+   }
+   return objection.empty()
+             ? objection
+             : objection +
+                  "; prescribe a displacement there, hold it by springs, or "
+                  "let contact press on it (contact without traction holds "
+                  "nothing)";
+}
+
+} // namespace synovia

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "contact/contact_pair.hpp"
+#include "physics/boundary_conditions.hpp"
+#include "physics/rigid_motions.hpp"
+
+namespace synovia
+{
+
+/// Which rigid motions of the bodies nothing resists.
+///
+/// Whatever resists one, prescribed displacements, surfaces that are moved as
+/// one, springs, or vertices in contact, does so by a row c of what it makes of
+/// the motions r; free are those with c.r = 0 for all rows, which a
+/// factorisation of the sum of c c^T finds. How stiff something is doesn't
+/// matter.
+class RigidFreedoms
+{
+public:
+   /// Borrows @a spaces only for the constructor. Collective.
+   RigidFreedoms(const std::vector<Body> &bodies, BiphasicSpaces &spaces,
+                 const BoundaryConditions &conditions);
+
+   /// Whether supports and springs alone hold all bodies.
+   bool HoldAll() const { return loose.empty(); }
+
+   /// What is loose although the pairs touch as they do, and how to hold it;
+   /// empty if nothing is. Vertices count that bear a traction, in pairs that
+   /// bear more than @a least_force. Collective.
+   std::string Objection(const std::vector<ContactPair *> &pairs,
+                         mfem::real_t least_force) const;
+
+private:
+   // Sums of c c^T: of all bodies, and for contact of those that are loose.
+   mfem::DenseMatrix OfSupports(BiphasicSpaces &spaces,
+                                const BoundaryConditions &conditions) const;
+   mfem::DenseMatrix OfDriven(BiphasicSpaces &spaces,
+                              const DrivenSurface &surface) const;
+   mfem::DenseMatrix OfSprings(const SpringFoundation &springs) const;
+   mfem::DenseMatrix OfContact(const ContactPair &pair,
+                               mfem::real_t least_force) const;
+   /// What one of the loose bodies does in a motion of all of them.
+   std::string Describe(const mfem::Vector &motion, int place) const;
+
+   MPI_Comm comm;
+   RigidMotions motions;
+   /// Bodies that contact must hold, and their names.
+   std::vector<int> loose;
+   std::vector<std::string> names;
+   /// Of their motions, without contact: sum of c c^T.
+   mfem::DenseMatrix supports;
+};
+
+} // namespace synovia
