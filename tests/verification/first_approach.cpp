@@ -4,7 +4,7 @@
 // whatever the gap or the overlap as meshed: a rigid translation strains
 // nothing, so that all that follows is the same.
 
-#include "general/reduce.hpp"
+#include "mesh/stack_bodies.hpp"
 #include "support/boxes.hpp"
 #include "synovia.hpp"
 
@@ -188,4 +188,74 @@ TEST_CASE("A body that springs hold along the force is not moved")
    CHECK(held.travel > setup.gap);
    CHECK(held.contact_force ==
          Approx(force - setup.spring * held.travel).epsilon(1e-6));
+}
+
+TEST_CASE("What the body meets goes with it, unless it is held")
+{
+   // Three cubes on top of each other, on rollers at their sides; after a long
+   // time each is shorter by F/A h/E.
+   constexpr real_t young = 0.7;
+   constexpr real_t load = 0.007;
+   const real_t bottoms[3] = {0.0, 1.1, 2.15};
+   BoxOptions cube;
+   cube.nx = cube.ny = 2;
+   cube.nz = 1;
+   const Mesh cubes[3] = {MakeBoxMesh(cube), MakeBoxMesh(cube),
+                          MakeBoxMesh(cube)};
+   StackedBodies stack = StackBodies({&cubes[0], &cubes[1], &cubes[2]});
+   NameTable regions;
+   NameTable boundaries;
+   const std::string names[3] = {"low", "middle", "high"};
+   const char *const sides[6] = {"_z0", "_y0", "_x1", "_y1", "_x0", "_z1"};
+   const int vertices = cubes[0].GetNV();
+   for (int i = 0; i < stack.mesh.GetNV(); i++)
+   {
+      stack.mesh.GetVertex(i)[2] += bottoms[i / vertices];
+   }
+   for (int b = 0; b < 3; b++)
+   {
+      regions[names[b]] = {1 + stack.region_offsets[b]};
+      for (int i = 0; i < 6; i++)
+      {
+         boundaries[names[b] + sides[i]] = {1 + i + stack.boundary_offsets[b]};
+      }
+   }
+   NamedMesh bodies =
+      DistributeMesh(stack.mesh, regions, boundaries, MPI_COMM_WORLD);
+   const IsotropicElastic solid(young, 0.0);
+   const ConstantPermeability permeability(4e-3);
+   BiphasicProblem problem(bodies, SpaceOptions());
+   for (const std::string &name : names)
+   {
+      problem.SetMaterial(name, solid, permeability);
+      problem.PrescribeDisplacement(name + "_x0", 0, 0.0);
+      problem.PrescribeDisplacement(name + "_x1", 0, 0.0);
+      problem.PrescribeDisplacement(name + "_y0", 1, 0.0);
+      problem.PrescribeDisplacement(name + "_y1", 1, 0.0);
+   }
+   problem.PrescribeDisplacement("low_z0", 2, 0.0);
+   problem.PrescribePressure("high_z1", 0.0);
+   problem.DriveByForce({"high_z1"}, Vector({0.0, 0.0, -1.0}), load);
+   problem.AddContact("high_z0", "middle_z1", ContactOptions(), "above");
+   problem.AddContact("low_z1", "middle_z0", ContactOptions(), "below");
+   TimeOptions times;
+   times.step = times.end = 1e8;
+   TimeStepper stepper(problem, times);
+   const FirstApproach &start = problem.Operator().Start();
+   REQUIRE(start.moves.size() == 2);
+   CHECK(start.moves[0].pair == "above");
+   CHECK(start.moves[0].distance == Approx(0.05));
+   CHECK(start.moves[1].pair == "below");
+   CHECK(start.moves[1].distance == Approx(0.1));
+   CHECK(ToText(start.moves[1]) ==
+         "what the force on \"high_z1\" moves was moved by 0.1 along it, until "
+         "it touches: contact pair \"below\"");
+   const StepReport report = stepper.Step();
+   INFO(report.reason);
+   REQUIRE(report.converged);
+   CHECK(problem.Operator()
+            .Rigid()
+            .GetTravel(stepper.State().GetBlock(0))
+            .front()
+            .distance == Approx(0.15 + 3.0 * load / young).epsilon(1e-5));
 }
