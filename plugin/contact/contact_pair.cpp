@@ -397,7 +397,7 @@ Vector ContactPair::SoftGapWeights() const
 
 bool ContactPair::Converged(real_t peak_pressure) const
 {
-   const Diagnostics now = Diagnose();
+   const Violations now = WorstViolations();
    return now.penetration <= gap_tolerance &&
           now.pressure_jump <= options.pressure_tolerance * peak_pressure;
 }
@@ -432,7 +432,7 @@ bool ContactPair::StiffenIfSlow(real_t peak_pressure)
    constexpr real_t slow = 0.25;
    constexpr real_t raise = 10.0;
    constexpr real_t most = 1e4;
-   const Diagnostics now = Diagnose();
+   const Violations now = WorstViolations();
    const real_t jump_tolerance = options.pressure_tolerance * peak_pressure;
    bool raised = false;
    const auto check =

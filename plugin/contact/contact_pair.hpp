@@ -195,6 +195,15 @@ public:
    /// Lists what was remembered; reading sets it. Collective.
    void Archive(StateArchive &archive);
 
+   /// Area of the destination in contact: where the mean traction around the
+   /// vertices, less what it would take to close the mean gap there, is
+   /// compressive, interpolated linearly. So the rim of the contact moves
+   /// continuously through the faces as the load does. What closes a gap is
+   /// taken as H_A / (2 h) times the gap, of the softer body and with the size
+   /// h of the faces: each side gives way by half. Of faces that the source
+   /// covers in part, that part counts. Collective.
+   mfem::real_t Area() const;
+
    /// What there is to report of the last Evaluate() and UpdateActiveSet().
    struct Diagnostics
    {
@@ -207,6 +216,7 @@ public:
       /// Part of the force on the destination that its fluid pressure in the
       /// contact area makes up; 0 without contact.
       mfem::real_t fluid_load_support = 0.0;
+      /// See Area().
       mfem::real_t area = 0.0;
       mfem::real_t penetration = 0.0;
       mfem::real_t pressure_jump = 0.0;
@@ -245,6 +255,14 @@ private:
    void Assemble();
    void VerifyReach() const;
    mfem::real_t FluidLoadSupport() const;
+   /// What augmentations have to make small.
+   struct Violations
+   {
+      mfem::real_t penetration = 0.0;
+      mfem::real_t pressure_jump = 0.0;
+   };
+   /// Collective.
+   Violations WorstViolations() const;
    /// What Evaluate(), UpdateActiveSet() and Augment() set.
    std::array<mfem::Vector *, 10> WorkingVectors();
 

@@ -11,6 +11,10 @@ using namespace mfem;
 
 namespace
 {
+// What it takes to close a gap, of what the softer body resists alone: half
+// of it gives way on each side.
+constexpr real_t closing_part = 0.5;
+
 Point3 SumOverRanks(Point3 value, MPI_Comm comm)
 {
    MPI_Allreduce(MPI_IN_PLACE, value.data(), 3, MPITypeMap<real_t>::mpi_type,
@@ -63,6 +67,36 @@ real_t ContactPair::FluidLoadSupport() const
    return square > 0.0 ? Dot(fluid, total) / square : 0.0;
 }
 
+real_t ContactPair::Area() const
+{
+   const std::vector<FaceCoverage> &coverage = operators.face_coverage;
+   Vector stress = VertexMeans(destination, coverage, traction);
+   for (int j = 0; j < stress.Size(); j++)
+   {
+      if (active[j] < 0.5)
+      {
+         stress[j] +=
+            closing_part * resistance[j] * std::max<real_t>(gap[j], 0.0);
+      }
+   }
+   return NegativeArea(destination, coverage, stress);
+}
+
+ContactPair::Violations ContactPair::WorstViolations() const
+{
+   Violations worst;
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      worst.penetration =
+         std::max(worst.penetration, active[j] * std::abs(gap[j]));
+      worst.pressure_jump =
+         std::max(worst.pressure_jump, Exchanges(j) ? std::abs(jump[j]) : 0.0);
+   }
+   worst.penetration = MaxOverRanks(worst.penetration, comm);
+   worst.pressure_jump = MaxOverRanks(worst.pressure_jump, comm);
+   return worst;
+}
+
 ContactPair::Diagnostics ContactPair::Diagnose() const
 {
    Diagnostics result;
@@ -82,24 +116,19 @@ ContactPair::Diagnostics ContactPair::Diagnose() const
    result.destination_moment =
       SumOfMoments(momentum, searched_positions, destination_dofs, comm);
    result.fluid_load_support = FluidLoadSupport();
-   real_t area = 0.0;
+   result.area = Area();
+   const Violations violations = WorstViolations();
+   result.penetration = violations.penetration;
+   result.pressure_jump = violations.pressure_jump;
    real_t exchange = 0.0;
    for (int j = 0; j < gap.Size(); j++)
    {
-      area += active[j] * operators.area[j];
-      result.penetration =
-         std::max(result.penetration, active[j] * std::abs(gap[j]));
-      result.pressure_jump =
-         std::max(result.pressure_jump, Exchanges(j) ? std::abs(jump[j]) : 0.0);
       result.peak_traction = std::max(result.peak_traction, -traction[j]);
       result.peak_pressure =
          std::max(result.peak_pressure, sealing[j] * pressure[j]);
       exchange += operators.area[j] * flux[j];
    }
-   result.area = SumOverRanks(area, comm);
    result.fluid_exchange = SumOverRanks(exchange, comm);
-   result.penetration = MaxOverRanks(result.penetration, comm);
-   result.pressure_jump = MaxOverRanks(result.pressure_jump, comm);
    result.peak_traction = MaxOverRanks(result.peak_traction, comm);
    result.peak_pressure = MaxOverRanks(result.peak_pressure, comm);
    return result;

@@ -1,6 +1,7 @@
 #include "contact/gap_operators.hpp"
 #include "contact/parallel_triplets.hpp"
 #include "contact/segmentation.hpp"
+#include "contact/shared_dofs.hpp"
 #include "contact/surface_search.hpp"
 
 #include <algorithm>
@@ -18,17 +19,6 @@ const FiniteElement &FaceElement(const ParFiniteElementSpace &space,
                                  Geometry::Type geometry)
 {
    return *space.FEColl()->FiniteElementForGeometry(geometry);
-}
-
-// Sums a vector of local dofs over the ranks that share them.
-Vector SumShared(ParFiniteElementSpace &space, const Vector &local)
-{
-   Vector result(space.GetTrueVSize());
-   space.GetProlongationMatrix()->MultTranspose(local, result);
-   // What belongs to a contact is evaluated on the host.
-   result.HostReadWrite();
-   result.UseDevice(false);
-   return result;
 }
 
 /// Values of the shape functions of a face's three fields at a point.
@@ -228,7 +218,8 @@ public:
       }
    }
 
-   void AddFace(const DeformedFace &face,
+   /// @a number: of the face in its ContactSurface.
+   void AddFace(int number, const DeformedFace &face,
                 const std::vector<SegmentPoint> &points,
                 const SearchQuery *queries, const SearchHit *hits,
                 const std::map<std::pair<int, int>, FaceDofs> &source_dofs);
@@ -249,14 +240,16 @@ private:
    Vector area;
    Vector offset;
    Vector face_size;
+   std::vector<FaceCoverage> face_coverage;
    std::array<Vector, 3> normal_area;
    Vector phi;
    FaceShapes shapes;
 };
 
 void GapAssembler::AddFace(
-   const DeformedFace &face, const std::vector<SegmentPoint> &points,
-   const SearchQuery *queries, const SearchHit *hits,
+   int number, const DeformedFace &face,
+   const std::vector<SegmentPoint> &points, const SearchQuery *queries,
+   const SearchHit *hits,
    const std::map<std::pair<int, int>, FaceDofs> &source_dofs)
 {
    const std::vector<HYPRE_BigInt> rows =
@@ -323,11 +316,15 @@ void GapAssembler::AddFace(
    }
    const real_t size =
       std::sqrt(hit_area * (own.geometry == Geometry::TRIANGLE ? 2.0 : 1.0));
+   FaceCoverage covered;
+   covered.face = number;
    for (int j = 0; j < vertices; j++)
    {
+      covered.area[j] = weights[j];
       area[face.MultiplierDofs()[j]] += weights[j];
       face_size[face.MultiplierDofs()[j]] += weights[j] * size;
    }
+   face_coverage.push_back(covered);
    AddSide(-1.0, rows, own_blocks, own);
    for (const auto &[key, side] : source_sides)
    {
@@ -345,6 +342,7 @@ GapOperators GapAssembler::Finish()
    operators.area = SumShared(m, area);
    operators.gap_offset = SumShared(m, offset);
    operators.face_size = SumShared(m, face_size);
+   operators.face_coverage = std::move(face_coverage);
    for (int d = 0; d < 3; d++)
    {
       operators.normal_area[d] = SumShared(m, normal_area[d]);
@@ -424,9 +422,9 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
    size_t first = 0;
    for (size_t i = 0; i < segments.size(); i++)
    {
-      assembler.AddFace(destination.Faces()[i], segments[i],
-                        queries.data() + first, hits.data() + first,
-                        source_dofs);
+      assembler.AddFace(static_cast<int>(i), destination.Faces()[i],
+                        segments[i], queries.data() + first,
+                        hits.data() + first, source_dofs);
       first += segments[i].size();
    }
    return assembler.Finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/contact_area.hpp"
 #include "contact/contact_surface.hpp"
 
 #include <array>
@@ -70,6 +71,8 @@ struct GapOperators
    std::array<mfem::Vector, 3> normal_area;
    /// Mean size of the destination faces around a vertex (length).
    mfem::Vector face_size;
+   /// Of this rank's destination faces that hit.
+   std::vector<FaceCoverage> face_coverage;
 };
 
 /// Collective. Searches from @a destination to @a source, both in their current

@@ -325,7 +325,7 @@ StepReport TimeStepper::Step()
    {
       if (report.converged)
       {
-         report.contact_area += pair->Diagnose().area;
+         report.contact_area += pair->Area();
       }
    }
    report.time = time;

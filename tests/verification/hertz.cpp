@@ -126,6 +126,8 @@ struct Errors
 {
    real_t force = 0.0;
    real_t radius = 0.0;
+   /// Of the radius that belongs to the contact area.
+   real_t area_radius = 0.0;
    real_t peak = 0.0;
 };
 
@@ -168,24 +170,28 @@ Errors Solve(int lower_cells, int upper_cells)
    errors.force = 4.0 * now.source_force[2] / hertz.force - 1.0;
    errors.radius =
       std::sqrt(2.5 * MeasureTraction(problem).mean_square_radius) / a - 1.0;
+   errors.area_radius = std::sqrt(4.0 * now.area / pi) / a - 1.0;
    errors.peak = now.peak_traction / hertz.peak - 1.0;
    return errors;
 }
 } // namespace
 
-TEST_CASE("Force, radius and peak pressure of Hertz's contact")
+TEST_CASE("Force, radius, area and peak pressure of Hertz's contact")
 {
    // The lower body is the destination, and the finer one.
    const Errors coarse = Solve(6, 5);
    const Errors middle = Solve(9, 7);
    const Errors fine = Solve(13, 10);
-   CAPTURE(coarse.force, coarse.radius, coarse.peak);
-   CAPTURE(middle.force, middle.radius, middle.peak);
-   CAPTURE(fine.force, fine.radius, fine.peak);
+   CAPTURE(coarse.force, coarse.radius, coarse.area_radius, coarse.peak);
+   CAPTURE(middle.force, middle.radius, middle.area_radius, middle.peak);
+   CAPTURE(fine.force, fine.radius, fine.area_radius, fine.peak);
    CHECK(std::abs(fine.force) <= 0.01);
    CHECK(std::abs(fine.radius) <= 0.02);
+   CHECK(std::abs(fine.area_radius) <= 0.01);
    CHECK(std::abs(fine.peak) <= 0.02);
    CHECK(std::abs(fine.force) < std::abs(coarse.force));
    CHECK(std::abs(fine.radius) < std::abs(coarse.radius));
+   CHECK(std::abs(fine.area_radius) < std::abs(middle.area_radius));
+   CHECK(std::abs(middle.area_radius) < std::abs(coarse.area_radius));
    CHECK(std::abs(fine.peak) < std::abs(coarse.peak));
 }

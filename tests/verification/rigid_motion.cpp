@@ -71,7 +71,7 @@ Fields Solve(const Motion &motion)
       };
    };
    VectorFunctionCoefficient below(3, field(0.0));
-   VectorFunctionCoefficient above(3, field(0.02));
+   VectorFunctionCoefficient above(3, field(0.01));
    problem.Conditions().PrescribeDisplacement(bodies.Boundary("lower_z0"),
                                               below);
    problem.Conditions().PrescribeDisplacement(bodies.Boundary("upper_z1"),

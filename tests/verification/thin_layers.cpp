@@ -163,12 +163,16 @@ struct Contact
    real_t force = 0.0;
    /// From the second moment of the traction.
    real_t radius = 0.0;
+   /// From the contact area.
+   real_t area_radius = 0.0;
 };
 
 Contact Measure(BiphasicProblem &problem)
 {
    const TractionMoments moments = MeasureTraction(problem);
-   return {4.0 * moments.force, std::sqrt(4.0 * moments.mean_square_radius)};
+   const real_t area = problem.Operator().Pairs().front()->Area();
+   return {4.0 * moments.force, std::sqrt(4.0 * moments.mean_square_radius),
+           std::sqrt(4.0 * area / pi)};
 }
 
 /// The layers with their bones; what moves the upper one is to be added.
@@ -225,6 +229,7 @@ Ratios AtOnce(const Layer &lower, const Layer &upper)
    INFO(report.reason);
    REQUIRE(report.converged);
    const Contact contact = Measure(layers.Problem());
+   CHECK(contact.area_radius == Approx(contact.radius).epsilon(0.05));
    const real_t scale = pi / (32.0 * curvature_radius *
                               (lower.Compliance() + upper.Compliance()));
    return {contact.force / (scale * std::pow(contact.radius, 6)),
@@ -276,6 +281,7 @@ TEST_CASE("Contact of thin layers under a constant load grows")
    times.end = 1.0 / chi;
    TimeStepper stepper(layers.Problem(), times);
    real_t worst = 0.0;
+   real_t last_radius = 0.0;
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
@@ -283,6 +289,9 @@ TEST_CASE("Contact of thin layers under a constant load grows")
       REQUIRE(report.converged);
       const Contact contact = Measure(layers.Problem());
       CHECK(contact.force == Approx(force).epsilon(1e-6));
+      // Also between the steps in which vertices come into contact.
+      CHECK(contact.area_radius > last_radius + 1e-3);
+      last_radius = contact.area_radius;
       const real_t growth = std::pow(contact.radius / radius, 6);
       CAPTURE(report.time * chi, growth);
       worst =

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "contact/contact_surface.hpp"
+
+#include <array>
+#include <vector>
+
+namespace synovia
+{
+
+/// The part of a destination face that the source covers.
+struct FaceCoverage
+{
+   /// Number of the face in the destination's ContactSurface.
+   int face = -1;
+   /// int phi_j over that part for each vertex of the face (area).
+   std::array<mfem::real_t, 4> area{{0.0, 0.0, 0.0, 0.0}};
+};
+
+/// Means of a function around the vertices, int phi_j f / int phi_j over what
+/// the source covers, or zero where it covers nothing. The function has
+/// @a values at the vertices (true dofs of the multiplier, as the result) and
+/// is linear between them. Of a face that is covered in part, each vertex's
+/// part counts as on the whole face. Collective.
+mfem::Vector VertexMeans(const ContactSurface &destination,
+                         const std::vector<FaceCoverage> &coverage,
+                         const mfem::Vector &values);
+
+/// Area where such a function is negative, of what the source covers, on all
+/// ranks. Quadrilaterals consist of four triangles around their center. Of a
+/// face that is covered in part, each vertex's part counts as on the whole
+/// face. Collective.
+mfem::real_t NegativeArea(const ContactSurface &destination,
+                          const std::vector<FaceCoverage> &coverage,
+                          const mfem::Vector &values);
+
+} // namespace synovia
