@@ -28,6 +28,7 @@
 //   mpirun -np 2 indentation -m indentation.msh -out out/rigid -r -s sdirk33
 //   mpirun -np 2 indentation -m indentation.msh -out out/amg -ls block_amg
 
+#include "general/option_range.hpp"
 #include "synovia.hpp"
 
 #include <cmath>
@@ -90,7 +91,15 @@ struct Options
       args.AddOption(&check, "-c", "--check",
                      "Fail if a force differs from the exact one by more than "
                      "this fraction.");
-      return ParseCommandLine(args);
+      if (!ParseCommandLine(args))
+      {
+         return false;
+      }
+      // The case that is made of them checks the others.
+      VerifyPositive("--step", step);
+      VerifyPositive("--end", end);
+      VerifyAtLeast("--check", check, 0.0);
+      return true;
    }
 };
 

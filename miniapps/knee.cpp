@@ -37,6 +37,7 @@
 //   mpirun -np 2 knee --mesh knee.msh
 //   mpirun -np 2 knee --mesh knee.msh --order 2 --output out/order_2
 
+#include "general/option_range.hpp"
 #include "synovia.hpp"
 
 #include <iostream>
@@ -84,7 +85,17 @@ struct Options
       args.AddOption(&solver, "-ls", "--solver", "auto, block_amg or direct.");
       args.AddOption(&fields_every, "-fe", "--fields-every",
                      "Write fields every so many steps; 0 never.");
-      return ParseCommandLine(args);
+      if (!ParseCommandLine(args))
+      {
+         return false;
+      }
+      // The case that is made of them checks the others.
+      VerifyPositive("--step", step);
+      VerifyPositive("--end", end);
+      VerifyPositive("--ramp", ramp);
+      VerifyAtLeast("--horn", horn, 0.0);
+      VerifyAtLeast("--horn-across", horn_across, 0.0);
+      return true;
    }
 };
 

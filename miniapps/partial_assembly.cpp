@@ -13,10 +13,11 @@
 //   partial_assembly
 //   mpirun -np 2 partial_assembly --order 3 --size 8
 
+#include "general/option_range.hpp"
 #include "general/reduce.hpp"
 #include "integrators/effective_stress_integrator.hpp"
 #include "io/csv_row.hpp"
-#include "mesh/curved_layers.hpp"
+#include "mesh/layers_estimate.hpp"
 #include "synovia.hpp"
 
 #include <algorithm>
@@ -50,10 +51,9 @@ struct Options
       {
          return false;
       }
-      if (order < 1 || products < 1)
-      {
-         throw Error("--order and --products must be at least 1");
-      }
+      VerifyAtLeast("--size", size, 1);
+      VerifyFrom("--order", order, 1, 8);
+      VerifyAtLeast("--products", products, 1);
       return true;
    }
 
@@ -61,7 +61,7 @@ struct Options
    {
       LayersOptions layers;
       layers.lower_cells = size;
-      layers.upper_cells = (3 * size + 2) / 4;
+      layers.upper_cells = static_cast<int>((3LL * size + 2) / 4);
       return layers;
    }
 };
@@ -104,6 +104,8 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
+   VerifySize(EstimateLayers(options.Layers(), options.order, Mpi::WorldSize()),
+              MPI_COMM_WORLD);
    NamedMesh mesh = MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);
    const H1_FECollection elements(options.order, 3);
    // Partial assembly asks for this ordering.

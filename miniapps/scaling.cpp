@@ -32,10 +32,11 @@
 //   mpirun -np 2 scaling --order 1 --size 24 --csv scaling.csv
 //   scaling --order 3 --size 4 --jump 1e4 --solver block_amg
 
+#include "general/option_range.hpp"
 #include "general/reduce.hpp"
 #include "general/resource_use.hpp"
 #include "io/csv_row.hpp"
-#include "mesh/curved_layers.hpp"
+#include "mesh/layers_estimate.hpp"
 #include "synovia.hpp"
 
 #include <algorithm>
@@ -101,7 +102,28 @@ struct Options
                      "0 solves every linear system to the end.");
       args.AddOption(&csv, "-csv", "--csv",
                      "Append a row to this file, which is made if need be.");
-      return ParseCommandLine(args);
+      if (!ParseCommandLine(args))
+      {
+         return false;
+      }
+      Verify();
+      return true;
+   }
+
+   void Verify() const
+   {
+      VerifyAtLeast("--size", size, 1);
+      VerifyAtLeast("--upper-size", upper_size, 0);
+      VerifyFrom("--refine", refine, 0, 20);
+      VerifyFrom("--order", order, 1, 8);
+      VerifyAtLeast("--steps", steps, 1);
+      VerifyPositive("--step", step);
+      VerifyPositive("--permeability", permeability);
+      VerifyBetween("--poisson", poisson, -1.0, 0.5);
+      VerifyPositive("--jump", jump);
+      VerifyPositive("--penalty-factor", penalty_factor);
+      VerifyBetween("--tolerance", tolerance, 0.0, 0.1);
+      VerifyFrom("--active-set-tolerance", active_set_tolerance, 0.0, 0.1);
    }
 
    LayersOptions Layers() const
@@ -114,17 +136,14 @@ struct Options
       LayersOptions layers;
       layers.type = word == "hex" ? Element::HEXAHEDRON : Element::TETRAHEDRON;
       layers.lower_cells = size;
-      layers.upper_cells = upper_size != 0 ? upper_size : (3 * size + 2) / 4;
+      layers.upper_cells =
+         upper_size != 0 ? upper_size : static_cast<int>((3LL * size + 2) / 4);
       layers.refine = refine;
       return layers;
    }
 
    TimeOptions Times() const
    {
-      if (steps < 1)
-      {
-         throw Error("--steps must be at least 1");
-      }
       TimeOptions times;
       times.step = step;
       times.end = steps * step;
@@ -348,6 +367,8 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
+   VerifySize(EstimateLayers(options.Layers(), options.order, Mpi::WorldSize()),
+              MPI_COMM_WORLD);
    StopWatch watch;
    watch.Start();
    NamedMesh mesh = MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);

@@ -1,7 +1,9 @@
 #include "general/resource_use.hpp"
 #include "general/reduce.hpp"
 
+#include <limits>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace synovia
 {
@@ -27,6 +29,26 @@ ResourceUse GetResourceUse(MPI_Comm comm)
    use.cpu_seconds =
       SumOverRanks(seconds(mine.ru_utime) + seconds(mine.ru_stime), comm);
    return use;
+}
+
+real_t PhysicalMemory(MPI_Comm comm)
+{
+   MPI_Comm machine = MPI_COMM_NULL;
+   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+   int rank = 0;
+   MPI_Comm_rank(machine, &rank);
+   MPI_Comm_free(&machine);
+   // One rank of each machine counts it.
+   real_t mine = 0.0;
+   if (rank == 0)
+   {
+      const auto pages = static_cast<real_t>(sysconf(_SC_PHYS_PAGES));
+      const auto size = static_cast<real_t>(sysconf(_SC_PAGESIZE));
+      mine = pages > 0.0 && size > 0.0
+                ? pages * size
+                : std::numeric_limits<real_t>::infinity();
+   }
+   return SumOverRanks(mine, comm);
 }
 
 } // namespace synovia

@@ -19,4 +19,8 @@ struct ResourceUse
 /// Of all ranks so far, as the operating system counts it. Collective.
 ResourceUse GetResourceUse(MPI_Comm comm);
 
+/// Memory of all machines that the ranks are on (bytes), in use or not; without
+/// bound where the operating system doesn't say. Collective.
+mfem::real_t PhysicalMemory(MPI_Comm comm);
+
 } // namespace synovia

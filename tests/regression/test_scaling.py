@@ -151,7 +151,7 @@ def check_iterations(run: Runs) -> None:
 
 def check_errors(run: Runs) -> None:
     for arguments, word in ((["--elements", "prism"], "hex or tet"),
-                            (["--size", "0"], "at least one cell"),
+                            (["--size", "0"], "--size is 0; it must"),
                             (["--steps", "0"], "--steps"),
                             (["--solver", "magic"], "block_amg"),
                             (["--csv", "/nowhere/row.csv", "--size", "2"],

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "mesh/curved_layers.hpp"
+
+namespace synovia
+{
+
+/// What MakeCurvedLayers() and a problem on the layers take, before either is
+/// there. Numbers of any size: they need not be such that can be computed.
+struct LayersEstimate
+{
+   /// Elements before they are split, all of them on each rank for a while.
+   mfem::real_t unsplit_elements = 0.0;
+   /// Displacements of the order asked for, and pressures.
+   mfem::real_t unknowns = 0.0;
+   /// Least memory of all ranks together: the mesh before it is distributed,
+   /// and the elements' matrices once.
+   mfem::real_t gigabytes = 0.0;
+};
+
+/// @param order    of the displacement, at least 1
+/// @param ranks    that share the problem
+LayersEstimate EstimateLayers(const LayersOptions &options, int order,
+                              int ranks);
+
+/// Collective. Throws Error if there are more elements or unknowns than can be
+/// numbered, or if the machines of all ranks lack the memory; says how many
+/// there would be.
+void VerifySize(const LayersEstimate &estimate, MPI_Comm comm);
+
+} // namespace synovia

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Options of the miniapps out of range: what they say, before any work.
+
+Each names the option, what it was given and what it may be, and exits with 1;
+problems that are too large say how many unknowns they have and what memory they
+need. On two ranks the message comes once.
+"""
+
+from __future__ import annotations
+
+import pathlib
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
+
+from program_checks import MPIEXEC, PROGRAMS, check, finish  # noqa: E402
+
+WRONG = {
+    "scaling": (
+        ("--step", "-1", "--step is -1; it must be positive"),
+        ("--step", "0", "--step is 0; it must be positive"),
+        ("--size", "0", "--size is 0; it must be at least 1"),
+        ("--upper-size", "-1", "--upper-size is -1; it must be at least 0"),
+        ("--refine", "-1", "--refine is -1; it must be from 0 to 20"),
+        ("--order", "0", "--order is 0; it must be from 1 to 8"),
+        ("--order", "30", "--order is 30; it must be from 1 to 8"),
+        ("--steps", "0", "--steps is 0; it must be at least 1"),
+        ("--permeability", "0", "--permeability is 0; it must be positive"),
+        ("--poisson", "0.5", "--poisson is 0.5; it must be between -1 and 0.5"),
+        ("--jump", "-2", "--jump is -2; it must be positive"),
+        ("--penalty-factor", "0", "--penalty-factor is 0; it must be positive"),
+        ("--tolerance", "0", "--tolerance is 0; it must be between 0 and 0.1"),
+        ("--active-set-tolerance", "1",
+         "--active-set-tolerance is 1; it must be from 0 to 0.1"),
+        ("--elements", "pyramid", "--elements is hex or tet"),
+        ("--solver", "magic", "auto, block_amg, direct")),
+    "partial_assembly": (
+        ("--order", "9", "--order is 9; it must be from 1 to 8"),
+        ("--size", "-4", "--size is -4; it must be at least 1"),
+        ("--products", "0", "--products is 0; it must be at least 1")),
+    "indentation": (
+        ("--step", "-1", "--step is -1; it must be positive"),
+        ("--end", "0", "--end is 0; it must be positive"),
+        ("--check", "-1", "--check is -1; it must be at least 0")),
+    "knee": (
+        ("--step", "0", "--step is 0; it must be positive"),
+        ("--ramp", "-5", "--ramp is -5; it must be positive"),
+        ("--horn", "-1", "--horn is -1; it must be at least 0"),
+        ("--horn-across", "-1", "--horn-across is -1; it must be at least 0"))}
+
+TOO_LARGE = (
+    (("scaling", "--size", "5000"), "elements before they are split can be"),
+    (("scaling", "--size", "300"), "the machine has, in GB, "),
+    (("scaling", "--size", "4", "--refine", "20"), "unknowns, at least"),
+    (("scaling", "--size", "2000000000"), "unknowns, at least"),
+    (("partial_assembly", "--size", "3000", "--order", "8"),
+     "unknowns, at least"))
+
+
+def refused(words: str, *command: str) -> None:
+    """Fails with one error, which has these words."""
+    program = command[0]
+    for ranks in ("1", "2"):
+        result = subprocess.run(
+            [MPIEXEC, "-n", ranks, PROGRAMS / program, *command[1:]],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            timeout=120)
+        errors = [line for line in result.stdout.splitlines()
+                  if line.startswith(f"{program}: error: ")]
+        if len(errors) != 1 or words not in errors[0]:
+            print(result.stdout)
+        check(result.returncode == 1 and len(errors) == 1
+              and words in errors[0],
+              f"{' '.join(command)} on {ranks} ranks: {words}")
+
+
+def main() -> None:
+    for program, options in WRONG.items():
+        for option, value, words in options:
+            refused(words, program, option, value)
+    for command, words in TOO_LARGE:
+        refused(words, *command)
+    finish()
+
+
+if __name__ == "__main__":
+    main()
