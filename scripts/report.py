@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """A report on a run: one web page that needs no other file.
 
-Reads OUT, the output directory of any run (history.csv, and what there is of
-case.toml, run.log, lines/ and fields/), and writes OUT/report.html: a summary,
-the history of forces, pressures, errors and iterations, sampled lines,
-pictures of the fields and the case file. Runs that are not finished will do.
+Reads OUT, the output directory of any run (what there is of history.csv,
+case.toml, run.log, lines/ and fields/), and writes OUT/report.html: what the
+run complained of, a summary, the history of forces, pressures, errors and
+iterations, sampled lines, pictures of the fields and the case. Runs that are
+not finished will do, and those that failed in their first step.
 """
 
 from __future__ import annotations
@@ -12,7 +13,6 @@ from __future__ import annotations
 import argparse
 import os
 import pathlib
-import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
@@ -24,9 +24,13 @@ import numpy as np  # noqa: E402
 import figure_style as style  # noqa: E402
 import report_fields  # noqa: E402
 import report_history  # noqa: E402
+import report_plots  # noqa: E402
+import report_setup  # noqa: E402
 import section  # noqa: E402
-from report_history import Units  # noqa: E402
+from report_log import RunLog  # noqa: E402
 from report_page import Page, svg  # noqa: E402
+from report_times import RunTimes  # noqa: E402
+from report_units import Units  # noqa: E402
 from synovia_output import Output, OutputError, Table  # noqa: E402
 
 
@@ -36,109 +40,148 @@ class Report:
     def __init__(self, out: Output, units: Units):
         self.out = out
         self.units = units
-        self.history = out.history()
-        self.history["t"]   # or it is no history
-        self.log = out.text("run.log") or ""
+        self.log = RunLog(out.text("run.log") or "")
+        case_text = out.text("case.toml")
         damage: list[str] = []
         try:
             self.case = out.case()
         except OutputError as error:
             self.case = {}
             damage.append(str(error))
-        self.up = report_history.main_direction(self.case, self.history)
+        self.history: Table | None = None
+        try:
+            self.history = out.history()
+            self.history["t"]   # or it is no history
+        except OutputError as error:
+            self.history = None
+            if not self.log and not case_text:
+                raise
+            damage.append(str(error))
+        self.run = RunTimes(self.history, self.case)
         self.page = Page(self.case.get("title") or out.directory.resolve().name,
-                         self.versions())
+                         self.subtitle())
+        self.say_problems()
         for text in damage:
             self.warn(text)
-        strange = [name for name, values in self.history.items()
-                   if not np.isfinite(values).all()]
-        if strange:
-            self.warn(f"'{self.history.file}' has values that are no numbers "
-                      f"in: {', '.join(strange)}")
+        if self.history is not None:
+            self.check_history(self.history)
 
     def warn(self, text: str) -> None:
         print(f"report.py: warning: {text}", file=sys.stderr)
         self.page.warn(text)
 
-    def versions(self) -> list[str]:
+    def say_problems(self) -> None:
+        """What the run itself complained of."""
+        for text in self.log.errors():
+            self.page.error(text)
+        for text in self.log.warnings():
+            self.page.warn(text)
+
+    def check_history(self, history: Table) -> None:
+        strange = [name for name, values in history.items()
+                   if not np.isfinite(values).all()]
+        if strange:
+            self.warn(f"'{history.file}' has values that are no numbers "
+                      f"in: {', '.join(strange)}")
+
+    def subtitle(self) -> list[str]:
         """What ran, and when; of the last run if there were several."""
-        found = re.findall(r"^(\S+)  (synovia .+)$", self.log, re.MULTILINE)
-        size = re.findall(r"^\S+  (order \d+, .+)$", self.log, re.MULTILINE)
-        lines = [f"{found[-1][1]}; begun {found[-1][0]}"] if found else []
-        lines += size[-1:]
-        if not self.units.length:
-            lines.append("Numbers are in the units of the case.")
+        lines = [self.log.versions(), self.log.size()]
+        if not self.units.known:
+            lines.append("Numbers are in the units of the case, which has no "
+                         "names for them; --units LENGTH,FORCE,TIME gives "
+                         "them.")
         return lines
 
-    def write_summary(self) -> None:
+    def write_what_to_try(self) -> None:
+        errors = self.log.errors()
+        if self.history is None:
+            self.page.heading("No step was completed")
+            self.page.text(
+                "The run ended in its first step, for the reason above."
+                if errors else
+                "The history has no row. Either the first step is being "
+                "computed, or the run was ended before it was done: by a "
+                "signal, for want of memory, or with the machine. Its log says "
+                "nothing of an error.")
+        if errors or self.history is None:
+            self.page.heading("What to try")
+            self.page.list(report_setup.remedies(errors, self.case))
+
+    def write_summary(self, history: Table) -> None:
         self.page.heading("Summary")
         self.page.table(report_history.run_rows(
-            self.history, self.case, self.log, self.units))
-        pairs = report_history.pair_rows(self.history, self.units)
+            history, self.case, self.log, self.units))
+        pairs = report_history.pair_rows(history, self.units)
         if pairs:
-            self.page.table(pairs, report_history.PAIR_HEADINGS)
+            self.page.table(pairs, report_history.pair_headings(self.units))
 
-    def write_history(self) -> None:
+    def write_history(self, history: Table) -> None:
         self.page.heading("History")
         self.page.pictures([
             (title, svg(figure)) for title, figure
-            in report_history.plots(self.history, self.units)])
+            in report_plots.plots(history, self.units)])
 
-    def write_lines(self) -> None:
-        figures = list(report_fields.line_figures(
-            self.out, self.up, self.units, self.warn))
+    def write_lines(self, up: int) -> None:
+        lines = {}
+        for name, files in self.out.lines().items():
+            own = self.run.own_lines(name, files, self.warn)
+            if own:
+                lines[name] = own
+        figures = list(report_fields.line_figures(lines, up, self.units,
+                                                  self.warn))
         if figures:
             self.page.heading("Sampled lines")
         for name, figure in figures:
             figure.suptitle(name, x=0.01, ha="left", fontsize=9.5)
             self.page.pictures([(f"line {name}", svg(figure))])
 
-    def write_fields(self) -> None:
-        names = self.out.collections()
-        if not names:
-            return
-        self.page.heading("Fields")
-        if "bodies" in names:
-            self.each_time("bodies", self.write_bodies)
-        for name in names:
-            if name.startswith("contact_"):
-                self.each_time(name, self.write_contact)
-
-    def each_time(self, name: str, write) -> None:
-        """Calls write(name, grids by time); warns of what can't be read."""
-        grids = {}
-        key = report_history.key_time(self.history)
-        try:
-            times = self.out.field_times(name)
-        except OutputError as error:
-            self.warn(str(error))
-            return
-        for time in report_fields.picture_times(times, key):
+    def write_fields(self, history: Table, up: int) -> None:
+        found = []
+        for name in self.out.collections():
             try:
-                grids[time] = self.out.fields(name, time)
+                times = self.out.field_times(name)
             except OutputError as error:
                 self.warn(str(error))
-        try:
-            write(name, grids)
-        except OutputError as error:
-            self.warn(str(error))
+            else:
+                found.append((name, self.run.own_fields(name, times,
+                                                        self.warn)))
+        shown = [(name, times) for name, times in found if times]
+        if not shown:
+            return
+        self.page.heading("Fields")
+        key = report_history.key_time(history)
+        for name, times in shown:
+            grids = {}
+            for time in report_fields.picture_times(times, key):
+                try:
+                    grids[time] = self.out.fields(name, time)
+                except OutputError as error:
+                    self.warn(str(error))
+            try:
+                if name == "bodies":
+                    self.write_bodies(grids, up, key)
+                elif name.startswith("contact_"):
+                    self.write_contact(name, grids)
+            except OutputError as error:
+                self.warn(str(error))
 
-    def write_bodies(self, name: str, grids: dict) -> None:
+    def write_bodies(self, grids: dict, up: int, key: float) -> None:
         if not grids:
             return
         for grid in grids.values():
             section.require_fields(grid, report_fields.BODY_FIELDS,
                                    self.out.directory)
-        key = min(grids, key=lambda t: abs(
-            t - report_history.key_time(self.history)))
-        cut = report_fields.section_plane(grids[key], self.up)
+        nearest = min(grids, key=lambda t: abs(t - key))
+        cut = report_fields.section_plane(grids[nearest], up)
         for time, grid in grids.items():
-            figure = report_fields.sections_figure(grid, self.up, cut, time,
+            figure = report_fields.sections_figure(grid, up, cut, time,
                                                    self.units)
             self.page.pictures([(f"section at t = {time:g}", svg(figure))])
         self.page.pictures([
-            (f"fluid pressure at t = {key:g}", svg(report_fields.view_figure(
-                grids[key], self.up, key, self.units)))])
+            (f"fluid pressure at t = {nearest:g}",
+             svg(report_fields.view_figure(grids[nearest], up, nearest,
+                                           self.units)))])
 
     def write_contact(self, name: str, grids: dict) -> None:
         pair = name.removeprefix("contact_")
@@ -147,24 +190,41 @@ class Report:
              svg(report_fields.contact_figure(grid, pair, time, self.units)))
             for time, grid in grids.items()])
 
+    def write_setup(self) -> None:
+        """The case in tables."""
+        tables = (
+            (report_setup.numerics_rows(self.case, self.units), ()),
+            (report_setup.material_rows(self.case),
+             report_setup.material_headings(self.units)),
+            (report_setup.condition_rows(self.case, self.units),
+             report_setup.CONDITION_HEADINGS),
+            (report_setup.contact_rows(self.case),
+             report_setup.CONTACT_HEADINGS))
+        if any(rows for rows, _ in tables):
+            self.page.heading("What was set up")
+        for rows, headings in tables:
+            if rows:
+                self.page.table(rows, headings)
+
     def write_case(self) -> None:
         text = self.out.text("case.toml")
         if text:
             self.page.heading("Case file")
             self.page.literal(text)
         if self.log:
-            lines = self.log.splitlines()
-            notable = [line for line in lines
-                       if not re.match(r"\S+  step \d+  t ", line)]
             self.page.heading("Log, without the steps")
-            self.page.literal("\n".join(notable))
+            self.page.literal(self.log.without_steps())
 
     def write(self) -> str:
         """The page's text."""
-        self.write_summary()
-        self.write_history()
-        self.write_lines()
-        self.write_fields()
+        self.write_what_to_try()
+        if self.history is not None:
+            up = report_history.main_direction(self.case, self.history)
+            self.write_summary(self.history)
+            self.write_history(self.history)
+            self.write_lines(up)
+            self.write_fields(self.history, up)
+        self.write_setup()
         self.write_case()
         return str(self.page)
 

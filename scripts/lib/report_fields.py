@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import pathlib
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
 import section
 from figure_style import plt
-from report_history import AXES, Units
-from synovia_output import Output, OutputError, Table
+from report_history import AXES
+from report_units import Units
+from synovia_output import OutputError, Table
 
 # Voigt's order: xx, yy, zz, ...
 BODY_FIELDS = ("displacement", "fluid_pressure", "total_stress",
@@ -77,7 +79,8 @@ def sections_figure(grid, up: int, cut: tuple[int, float], time: float,
     axes[0, 0].plot([], [], label="before", **section.BEFORE)
     axes[0, 0].plot([], [], label="after", **section.AFTER)
     figure.legend(loc="outside upper right", ncols=2)
-    figure.suptitle(f"t = {time:g}, section at {AXES[normal]} = {at:.4g}, "
+    place = f"{at:.4g} {units.length}" if units.known else f"{at:.4g}"
+    figure.suptitle(f"{units.at(time)}, section at {AXES[normal]} = {place}, "
                     "true displacement", x=0.01, ha="left", fontsize=9.5)
     return figure
 
@@ -98,8 +101,8 @@ def contact_figure(grid, name: str, time: float, units: Units):
     figure, axes = plt.subplots(figsize=(4.6, 4.4))
     axes.tripcolor(x, y, triangles, np.zeros(len(triangles)), cmap="Greys",
                    vmin=-1, vmax=8, rasterized=True)
-    axes.set(title=f"{name}, t = {time:g}" + ("" if touching.any()
-                                              else ": no contact"),
+    found = "" if touching.any() else ": no contact"
+    axes.set(title=f"{name}, {units.at(time)}{found}",
              aspect="equal",
              xlabel=units.label(f"${AXES[plane[0]]}$", "length"),
              ylabel=units.label(f"${AXES[plane[1]]}$", "length"))
@@ -108,17 +111,16 @@ def contact_figure(grid, name: str, time: float, units: Units):
     part = surface.extract_cells(touching).extract_surface()
     colours = section.colour_range([part], [part["contact_pressure"]])
     colours["vmin"] = min(colours["vmin"], 0.0)
-    mappable = axes.tripcolor(x, y, triangles[touching], values,
-                              shading="gouraud", rasterized=True, **colours)
+    mappable = section.draw_triangles(axes, surface.points[:, plane],
+                                      triangles[touching], values, **colours)
     bounds = np.reshape(part.bounds, (3, 2))[plane]
     margin = 0.2 * np.ptp(bounds, axis=1).max()
     whole = np.reshape(surface.bounds, (3, 2))[plane]
     low = np.maximum(bounds[:, 0] - margin, whole[:, 0])
     high = np.minimum(bounds[:, 1] + margin, whole[:, 1])
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    plt.colorbar(mappable, ax=axes, orientation="horizontal", aspect=40,
-                 pad=0.02, extend=section.extent([values], colours),
-                 label=units.label("contact pressure", "pressure"))
+    section.add_bar(axes, mappable, [part["contact_pressure"]], colours,
+                    units.label("contact pressure", "pressure"))
     return figure
 
 
@@ -126,8 +128,8 @@ def view_figure(grid, up: int, time: float, units: Units):
     """The deformed bodies with the fluid pressure, and their initial edges."""
     surfaces = [section.merged(body).extract_surface(nonlinear_subdivision=2)
                 .triangulate() for body in section.bodies_of(grid)]
-    colours = section.colour_range(surfaces, [surface["fluid_pressure"]
-                                              for surface in surfaces])
+    values = [surface["fluid_pressure"] for surface in surfaces]
+    colours = section.colour_range(surfaces, values)
     picture = render(surfaces, direction_of_view(grid, up), up, colours)
     height, width = picture.shape[:2]
     scale = min(8 / width, 5.5 / height)
@@ -135,11 +137,11 @@ def view_figure(grid, up: int, time: float, units: Units):
                                          scale * height + 0.8))
     axes.imshow(picture)
     axes.set_axis_off()
-    axes.set_title(f"t = {time:g}, edges before in red")
-    plt.colorbar(plt.cm.ScalarMappable(
-        plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"]),
-        ax=axes, orientation="horizontal", shrink=0.6, aspect=40, pad=0.02,
-        label=units.label("fluid pressure $p$", "pressure"))
+    axes.set_title(f"{units.at(time)}, edges before in red")
+    mappable = plt.cm.ScalarMappable(
+        plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"])
+    section.add_bar(axes, mappable, values, colours,
+                    units.label("fluid pressure $p$", "pressure"), shrink=0.6)
     return figure
 
 
@@ -191,9 +193,13 @@ def picture_times(times: list[float], key: float) -> list[float]:
     return sorted({nearest, times[-1]})
 
 
-def line_figures(out: Output, up: int, units: Units,
-                 complain) -> Iterable[tuple[str, object]]:
-    """Names and figures of the sampled lines; complain(text) of damage."""
+def line_figures(lines: dict[str, list[tuple[float, pathlib.Path]]], up: int,
+                 units: Units, complain: Callable[[str], None]
+                 ) -> Iterable[tuple[str, object]]:
+    """Names and figures of the sampled lines, of times and files by name.
+
+    complain(text) of damage.
+    """
     a = AXES[up]
     quantities = (("p", "fluid pressure $p$", "pressure"),
                   (f"u{a}", f"displacement $u_{a}$", "length"),
@@ -201,7 +207,7 @@ def line_figures(out: Output, up: int, units: Units,
                    "pressure"),
                   (f"es{a}{a}", rf"effective stress $\sigma^E_{{{a}{a}}}$",
                    "pressure"))
-    for name, files in out.lines().items():
+    for name, files in lines.items():
         tables = []
         for time, file in files:
             try:
@@ -226,7 +232,7 @@ def line_figures(out: Output, up: int, units: Units,
         step = max(1, -(-len(tables) // MOST_IN_LEGEND))
         shown = sorted({*range(0, len(tables), step), len(tables) - 1})
         handles = [plt.Line2D([], [], color=colours[i],
-                              label=f"t = {tables[i][0]:g}") for i in shown]
+                              label=units.at(tables[i][0])) for i in shown]
         figure.legend(handles=handles, loc="outside upper right",
                       ncols=len(handles))
         yield name, figure

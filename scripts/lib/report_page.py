@@ -14,12 +14,14 @@ body {font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a;
       max-width: 1120px; margin: 2em auto; padding: 0 1.2em}
 h1 {font-size: 1.6em; margin-bottom: 0.2em}
 h2 {font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid #ccc}
-p.sub {color: #555; margin-top: 0}
+p.sub {color: #555; margin: 0.2em 0}
 .scroll {overflow-x: auto}
 table {border-collapse: collapse; margin: 0.8em 0}
 th, td {text-align: left; padding: 0.25em 1.2em 0.25em 0;
         border-bottom: 1px solid #e5e5e5; vertical-align: top}
 th {font-weight: 600}
+td + td {min-width: 6em}
+tr > th:first-child {white-space: nowrap}
 figure {margin: 0}
 .grid {display: flex; flex-wrap: wrap; gap: 1.2em 1.6em; align-items: start}
 img {max-width: 100%; height: auto}
@@ -27,6 +29,8 @@ pre {background: #f6f6f6; padding: 1em; overflow-x: auto; font-size: 13px;
      line-height: 1.4}
 .warning {background: #fff4e0; border-left: 4px solid #E69F00;
           padding: 0.4em 1em; margin: 0.6em 0; overflow-wrap: anywhere}
+.error {background: #fdeaea; border-left: 4px solid #B00020;
+        padding: 0.4em 1em; margin: 0.6em 0; overflow-wrap: anywhere}
 @media print {figure, tr {break-inside: avoid} pre {white-space: pre-wrap}}
 """
 
@@ -48,7 +52,8 @@ class Page:
         self._parts = [f"<h1>{html.escape(title)}</h1>"]
         self._parts += [f'<p class="sub">{html.escape(line)}</p>'
                         for line in subtitle if line]
-        self._place_of_warnings = len(self._parts)
+        self._place_of_problems = len(self._parts)
+        self._errors: list[str] = []
         self._warnings: list[str] = []
 
     def heading(self, text: str) -> None:
@@ -57,9 +62,19 @@ class Page:
     def text(self, text: str) -> None:
         self._parts.append(f"<p>{html.escape(text)}</p>")
 
-    def warn(self, text: str) -> None:
+    def list(self, texts: Iterable[str]) -> None:
+        items = "\n".join(f"<li>{html.escape(text)}</li>" for text in texts)
+        self._parts.append(f"<ul>\n{items}\n</ul>")
+
+    def error(self, text: str) -> None:
         """To stand at the top of the page."""
-        self._warnings.append(f'<p class="warning">{html.escape(text)}</p>')
+        self._errors.append('<p class="error"><b>Error:</b> '
+                            f"{html.escape(text)}</p>")
+
+    def warn(self, text: str) -> None:
+        """To stand at the top of the page, below the errors."""
+        self._warnings.append('<p class="warning"><b>Warning:</b> '
+                              f"{html.escape(text)}</p>")
 
     def literal(self, text: str) -> None:
         self._parts.append(f"<pre>{html.escape(text)}</pre>")
@@ -90,8 +105,9 @@ class Page:
                            + "\n</div>")
 
     def __str__(self) -> str:
-        at = self._place_of_warnings
-        parts = self._parts[:at] + self._warnings + self._parts[at:]
+        at = self._place_of_problems
+        parts = (self._parts[:at] + self._errors + self._warnings
+                 + self._parts[at:])
         return ('<!DOCTYPE html>\n<html lang="en">\n<head>\n'
                 '<meta charset="utf-8">\n'
                 '<meta name="viewport" content="width=device-width">\n'

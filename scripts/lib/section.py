@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.collections import LineCollection
+from matplotlib.ticker import MaxNLocator
 
 import figure_style as style
 from figure_style import plt
@@ -13,6 +14,7 @@ BEFORE = {"color": style.RED, "linewidth": 1.0}
 AFTER = {"color": "black", "linewidth": 0.8}
 
 AXES = "xyz"
+MOST_SPLITS, MANY_TRIANGLES = 4, 100_000
 
 
 def require_fields(grid, names: tuple[str, ...], where: object) -> None:
@@ -79,10 +81,33 @@ def draw_section(axes: plt.Axes, sections: list, plane: list[int],
     arguments of tripcolor (cmap, vmin, vmax). Gives the mappable.
     """
     mappable = draw_values(axes, sections, plane, values, **colours)
+    add_bar(axes, mappable, values, colours, label)
+    return mappable
+
+
+def add_bar(axes: plt.Axes, mappable, values: list[np.ndarray], colours: dict,
+            label: str, **look) -> None:
+    """A horizontal color bar below the axes.
+
+    Where values go beyond the colors, it has arrows, and says how far.
+    """
     plt.colorbar(mappable, ax=axes, orientation="horizontal",
                  extend=extent(values, colours), aspect=40, pad=0.02,
-                 label=label)
-    return mappable
+                 ticks=MaxNLocator(5),
+                 label=label + beyond_in_words(values, colours), **look)
+
+
+def beyond_in_words(values: list[np.ndarray], colours: dict) -> str:
+    """For the label of a color bar: the extremes that its colors leave out."""
+    every = np.concatenate(values)
+    ends = extent(values, colours)
+    extremes = [f"{value:.3g}".replace("-", "\N{MINUS SIGN}")
+                for end, value in (("min", every.min()), ("max", every.max()))
+                if ends in (end, "both")]
+    if not extremes:
+        return ""
+    return f"; beyond the arrow{'s' * (len(extremes) - 1)} to " \
+        + " and ".join(extremes)
 
 
 def draw_values(axes: plt.Axes, sections: list, plane: list[int],
@@ -92,14 +117,43 @@ def draw_values(axes: plt.Axes, sections: list, plane: list[int],
     for section, value in zip(sections, values):
         x = section.points + section["displacement"]
         triangles = triangles_of(section)
-        mappable = axes.tripcolor(
-            x[:, plane[0]], x[:, plane[1]],
-            triangles[~slivers(section, triangles)], value,
-            shading="gouraud", rasterized=True, **colours)
+        mappable = draw_triangles(axes, x[:, plane],
+                                  triangles[~slivers(section, triangles)],
+                                  value, **colours)
     draw_outlines(axes, sections, plane)
     axes.autoscale_view()
     axes.set_aspect("equal")
     return mappable
+
+
+def draw_triangles(axes: plt.Axes, points: np.ndarray, triangles: np.ndarray,
+                   values: np.ndarray, **colours):
+    """Values that are linear in each triangle, in the colors of the map.
+
+    Matplotlib mixes the colors of a triangle's corners, which gives others
+    than the map's between values far apart: triangles are split until they
+    are many.
+    """
+    for _ in range(MOST_SPLITS):
+        if 4 * len(triangles) > MANY_TRIANGLES:
+            break
+        points, triangles, values = split(points, triangles, values)
+    return axes.tripcolor(points[:, 0], points[:, 1], triangles, values,
+                          shading="gouraud", rasterized=True, **colours)
+
+
+def split(points: np.ndarray, triangles: np.ndarray, values: np.ndarray
+          ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Each triangle in four, with linear values."""
+    ends = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]],
+                                   triangles[:, [2, 0]]]), axis=1)
+    edges, number = np.unique(ends, axis=0, return_inverse=True)
+    a, b, c = triangles.T
+    ab, bc, ca = np.reshape(number, (3, -1)) + len(points)
+    parts = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return (np.concatenate([points, points[edges].mean(axis=1)]),
+            np.concatenate([np.stack(part, axis=1) for part in parts]),
+            np.concatenate([values, values[edges].mean(axis=1)]))
 
 
 def extent(values: list[np.ndarray], colours: dict) -> str:
