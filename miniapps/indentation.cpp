@@ -46,6 +46,8 @@ struct Options
 {
    const char *mesh = "indentation.msh";
    const char *output = "out/indentation";
+   bool overwrite = false;
+   bool resume = false;
    const char *scheme = "backward_euler";
    const char *solver = "auto";
    int order = 2;
@@ -65,6 +67,11 @@ struct Options
       OptionsParser args(argc, argv);
       args.AddOption(&mesh, "-m", "--mesh", "Mesh, gmsh's MSH 2.2 or 4.1.");
       args.AddOption(&output, "-out", "--output", "Directory for the results.");
+      args.AddOption(&overwrite, "-ow", "--overwrite", "-no-ow",
+                     "--no-overwrite",
+                     "Remove what an earlier run left there.");
+      args.AddOption(&resume, "-re", "--resume", "-no-re", "--no-resume",
+                     "Go on from the newest checkpoint there.");
       args.AddOption(&order, "-o", "--order",
                      "Order of the displacement; 1 is stabilised.");
       args.AddOption(&step, "-dt", "--step", "Time step (s).");
@@ -241,7 +248,19 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
+   if (options.resume && options.overwrite)
+   {
+      throw Error("--resume and --overwrite exclude each other");
+   }
    Simulation simulation(MakeCase(options), MPI_COMM_WORLD);
+   if (options.resume)
+   {
+      simulation.Resume();
+   }
+   else if (options.overwrite)
+   {
+      simulation.Overwrite();
+   }
    real_t worst = 0.0;
    while (!simulation.Done())
    {

@@ -52,6 +52,8 @@ struct Options
 {
    const char *mesh = "knee.msh";
    const char *output = "out/knee";
+   bool overwrite = false;
+   bool resume = false;
    const char *solver = "auto";
    int order = 1;
    real_t step = 5.0;
@@ -68,6 +70,11 @@ struct Options
       OptionsParser args(argc, argv);
       args.AddOption(&mesh, "-m", "--mesh", "Mesh, of meshes/knee_*.py.");
       args.AddOption(&output, "-out", "--output", "Directory for the results.");
+      args.AddOption(&overwrite, "-ow", "--overwrite", "-no-ow",
+                     "--no-overwrite",
+                     "Remove what an earlier run left there.");
+      args.AddOption(&resume, "-re", "--resume", "-no-re", "--no-resume",
+                     "Go on from the newest checkpoint there.");
       args.AddOption(&order, "-o", "--order",
                      "Order of the displacement; 1 is stabilised.");
       args.AddOption(&step, "-dt", "--step", "Time step (s).");
@@ -285,7 +292,19 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
+   if (options.resume && options.overwrite)
+   {
+      throw Error("--resume and --overwrite exclude each other");
+   }
    Simulation simulation(MakeCase(options), MPI_COMM_WORLD);
+   if (options.resume)
+   {
+      simulation.Resume();
+   }
+   else if (options.overwrite)
+   {
+      simulation.Overwrite();
+   }
    while (!simulation.Done())
    {
       simulation.Step();

@@ -10,7 +10,8 @@
 // Writes to the output directory: history.csv, history.h5 (a row for each
 // step), lines/ (profiles), fields/ (ParaView), checkpoint/, run.log, and
 // case.toml, the case as it ran. Ctrl-C lets the step end and writes a
-// checkpoint; --resume goes on from it, on any number of ranks.
+// checkpoint; --resume goes on from it, on any number of ranks. The directory
+// belongs to one run: --overwrite removes what an earlier one left there.
 //
 // Sample runs:
 //   cd miniapps/cases
@@ -41,17 +42,21 @@ constexpr const char *usage =
                         go by number from 0 or by name: contact.0.penalty=10.
                         Can be given several times
   --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'
+                        A run does not begin where another one left results
+  --overwrite           remove those, and begin; other files stay
   --resume              go on from the newest checkpoint in the output directory
-                        that is good; begin at the start if there is none
-  --restart FILE        go on from this checkpoint; what the output directory has
-                        of later times is replaced
+                        that is good; begin at the start if there is none. Only
+                        title, time, solver and output may have changed
+  --restart FILE        go on from this checkpoint, whatever has changed that
+                        keeps mesh, order and contact pairs; the log lists it.
+                        What its output directory has of later times is removed
   --dry-schema          list all keys of a case with types, defaults and units
   --help                print this
   --version             print the versions of synovia and what it uses
 )";
 
 const std::vector<std::string> option_names = {
-   "--check",   "--set",        "--output", "--resume",
+   "--check",   "--set",        "--output", "--overwrite", "--resume",
    "--restart", "--dry-schema", "--help",   "--version"};
 
 struct Options
@@ -59,6 +64,7 @@ struct Options
    std::string file;
    std::vector<std::string> overrides;
    std::string restart;
+   bool overwrite = false;
    bool resume = false;
    bool check = false;
    bool schema = false;
@@ -153,6 +159,10 @@ Options Parse(int argc, char *argv[])
       {
          options.check = true;
       }
+      else if (word == "--overwrite")
+      {
+         options.overwrite = true;
+      }
       else if (word == "--resume")
       {
          options.resume = true;
@@ -231,6 +241,10 @@ int Run(int argc, char *argv[])
    {
       Fail("--resume and --restart exclude each other");
    }
+   if (options.resume && options.overwrite)
+   {
+      Fail("--resume and --overwrite exclude each other");
+   }
    Simulation simulation(
       ReadCase(options.file, MPI_COMM_WORLD, options.overrides),
       MPI_COMM_WORLD);
@@ -245,7 +259,11 @@ int Run(int argc, char *argv[])
    }
    else if (!options.restart.empty())
    {
-      simulation.Restart(options.restart);
+      simulation.Restart(options.restart, options.overwrite);
+   }
+   else if (options.overwrite)
+   {
+      simulation.Overwrite();
    }
    return simulation.Run();
 }

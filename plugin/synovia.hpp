@@ -8,6 +8,7 @@
 #include "general/load_curve.hpp"
 #include "general/stop_request.hpp"
 #include "io/checkpoint.hpp"
+#include "io/checkpoint_directory.hpp"
 #include "io/field_output.hpp"
 #include "io/history.hpp"
 #include "io/line_sampler.hpp"

@@ -113,9 +113,9 @@ def measure(order: int, size: float, folder: pathlib.Path,
     elements = sum(found(r": (\d+) elements", said))
     before, started = os.times(), time.monotonic()
     said = run([*shlex.split(args.launcher), str(args.ranks), args.program,
-                "--mesh", mesh, "--output", folder, "--order", str(order),
-                "--rigid", "--scheme", "sdirk33", "--step", f"{args.step:g}",
-                "--fields-every", "0"], folder / "run.out")
+                "--mesh", mesh, "--output", folder, "--overwrite",
+                "--order", str(order), "--rigid", "--scheme", "sdirk33",
+                "--step", f"{args.step:g}", "--fields-every", "0"], folder / "run.out")
     after = os.times()
     cost = Cost(order, size, elements, found(r"(\d+) dofs", said)[0],
                 force_error(folder),

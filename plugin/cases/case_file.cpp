@@ -1,7 +1,7 @@
 #include "cases/case_file.hpp"
 #include "cases/case_checks.hpp"
 #include "cases/case_keys.hpp"
-#include "general/error.hpp"
+#include "general/root_rank.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -93,14 +93,6 @@ std::string ReadText(const std::string &file, std::string &text)
    return "";
 }
 
-void Broadcast(std::string &text, MPI_Comm comm)
-{
-   int length = static_cast<int>(text.size());
-   MPI_Bcast(&length, 1, MPI_INT, 0, comm);
-   text.resize(length);
-   MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
-}
-
 // One in a file is beside it, one from the command line where the user is.
 void ResolveMeshFile(CaseFile &setup, const std::string &source)
 {
@@ -153,10 +145,8 @@ CaseFile ParseCase(const std::string &text, const std::string &source,
 CaseFile ReadCase(const std::string &file, MPI_Comm comm,
                   const std::vector<std::string> &overrides)
 {
-   int rank = 0;
-   MPI_Comm_rank(comm, &rank);
    std::string text;
-   const std::string problem = rank == 0 ? ReadText(file, text) : "";
+   const std::string problem = IsRoot(comm) ? ReadText(file, text) : "";
    ThrowIfAny(comm, problem.empty() ? problem : file + ": " + problem);
    Broadcast(text, comm);
    return ParseCase(text, file, overrides);

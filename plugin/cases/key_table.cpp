@@ -440,6 +440,34 @@ void KeyTable::Write(std::ostream &out, const std::string &path)
    }
 }
 
+void KeyTable::Values(const std::string &path,
+                      std::vector<std::pair<std::string, std::string>> &values)
+{
+   for (CaseKey &key : keys)
+   {
+      const std::string here = Joined(path, key.name);
+      if (!Applies(key))
+      {
+         continue;
+      }
+      if (key.value)
+      {
+         if (const TomlText text = key.value->Text())
+         {
+            values.emplace_back(here, *text);
+         }
+      }
+      else if (key.table)
+      {
+         key.table->Values(here, values);
+      }
+      for (size_t i = 0; key.list && i < key.list->size(); i++)
+      {
+         key.list->entry(i).Values(Joined(here, std::to_string(i)), values);
+      }
+   }
+}
+
 void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
 {
    for (CaseKey &key : keys)

@@ -118,6 +118,9 @@ public:
    void Check(const std::string &path, CaseReading &reading);
    /// Writes all values that are set, as TOML.
    void Write(std::ostream &out, const std::string &path = "");
+   /// Adds the paths of all values that are set, with the values as TOML.
+   void Values(const std::string &path,
+               std::vector<std::pair<std::string, std::string>> &values);
    /// Lists all keys with types, defaults, units and meanings.
    void List(std::ostream &out);
 

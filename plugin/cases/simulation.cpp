@@ -1,22 +1,20 @@
 #include "cases/simulation.hpp"
+#include "cases/case_mesh.hpp"
 #include "cases/contact_check.hpp"
 #include "cases/line_output.hpp"
 #include "cases/problem_report.hpp"
-#include "general/error.hpp"
+#include "cases/restart_rules.hpp"
+#include "cases/resume_command.hpp"
+#include "checks/case_warnings.hpp"
+#include "general/root_rank.hpp"
 #include "general/text.hpp"
 #include "general/version.hpp"
 #include "io/checkpoint.hpp"
-#include "io/output_directory.hpp"
+#include "io/checkpoint_directory.hpp"
 #include "io/step_diagnostics.hpp"
 
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <optional>
 #include <sstream>
 
 namespace synovia
@@ -26,70 +24,10 @@ using namespace mfem;
 
 namespace
 {
-// Times closer than this part of a step are the same.
-constexpr real_t same_part = 2e-6;
-
 const CaseFile &Checked(const CaseFile &setup)
 {
    CheckCase(setup);
    return setup;
-}
-
-bool IsRoot(MPI_Comm comm)
-{
-   int rank = 0;
-   MPI_Comm_rank(comm, &rank);
-   return rank == 0;
-}
-
-// Whether a file is there, as rank 0 sees it.
-bool IsThere(const std::string &file, MPI_Comm comm)
-{
-   int there = 0;
-   if (IsRoot(comm))
-   {
-      there = std::filesystem::exists(file);
-   }
-   MPI_Bcast(&there, 1, MPI_INT, 0, comm);
-   return there != 0;
-}
-
-// Whether there is one to go on with.
-bool HasHistory(const std::string &directory, MPI_Comm comm)
-{
-   return IsThere(directory + "/history.csv", comm);
-}
-
-// What makes a mesh that isn't there, if the case says so.
-std::string MeshAdvice(const CaseFile &setup, MPI_Comm comm)
-{
-   const MeshGenerator &generator = setup.mesh.generator;
-   if (generator.script.empty() || IsThere(setup.mesh.file, comm))
-   {
-      return "";
-   }
-   std::string command = "meshes/" + generator.script;
-   for (const std::string &argument : generator.arguments)
-   {
-      command += " " + argument;
-   }
-   const auto file = setup.places.find("");
-   return "; to make it and run the case: scripts/run " +
-          (file == setup.places.end() ? "CASE.toml" : file->second.source) +
-          "; to make it: scripts/python " + command + " -o " + setup.mesh.file;
-}
-
-NamedMesh ReadMesh(const CaseFile &setup, MPI_Comm comm)
-{
-   try
-   {
-      return ReadGmsh(setup.mesh.file, comm, setup.mesh.options);
-   }
-   catch (const Error &error) // on all ranks alike
-   {
-      throw Error(WhereIs(setup.places, "mesh.file") + ": " + error.what() +
-                  MeshAdvice(setup, comm));
-   }
 }
 
 std::string VersionsText()
@@ -121,7 +59,7 @@ std::string StepText(int step, const StepReport &report)
 } // namespace
 
 Simulation::Simulation(const CaseFile &setup_, MPI_Comm comm_)
-   : setup(Checked(setup_)), comm(comm_), mesh(ReadMesh(setup, comm)),
+   : setup(Checked(setup_)), comm(comm_), mesh(ReadCaseMesh(setup, comm)),
      problem(setup, mesh)
 {
    watch.Start();
@@ -157,31 +95,7 @@ TimeStepper &Simulation::Stepper()
 
 bool Simulation::IsNow(real_t time)
 {
-   return std::abs(time - Stepper().Time()) <= same_part * setup.time.step;
-}
-
-void Simulation::WriteSetup() const
-{
-   const std::string path = setup.output.directory + "/case.toml";
-   std::string message;
-   if (IsRoot(comm))
-   {
-      errno = 0;
-      std::ofstream file(path, std::ios::trunc);
-      file << "# As it ran, with all defaults: " << VersionsText() << "\n\n";
-      WriteCase(setup, file);
-      file.close();
-      if (!file)
-      {
-         message = "cannot write '" + path + "': " + std::strerror(errno);
-      }
-   }
-   ThrowIfAny(comm, message);
-}
-
-std::string Simulation::CheckpointDirectory() const
-{
-   return setup.output.directory + "/checkpoint";
+   return IsSameTime(time, Stepper().Time(), setup.time);
 }
 
 void Simulation::Say(const std::string &text)
@@ -197,17 +111,40 @@ void Simulation::Say(const std::string &text)
    }
 }
 
+void Simulation::OpenDirectory()
+{
+   MFEM_VERIFY(!log, "the run has begun already");
+   if (!directory)
+   {
+      directory = std::make_unique<RunDirectory>(setup.output.directory, comm);
+   }
+}
+
 void Simulation::Start()
 {
-   if (log)
+   if (!log)
    {
-      return;
+      OpenDirectory();
+      directory->VerifyUnused();
+      StartAnew();
    }
-   // What may go wrong with files does so before the long work.
-   MakeOutputDirectory(setup.output.directory, comm);
+}
+
+void Simulation::Overwrite()
+{
+   OpenDirectory();
+   StartAnew();
+}
+
+void Simulation::StartAnew()
+{
+   // What may go wrong with the case does so before anything is removed.
    const std::vector<PairAtStart> pairs = CheckContact(setup, problem);
-   lines = std::make_unique<LineOutput>(setup, problem.Get());
-   StartOutput(false);
+   const std::vector<std::string> warnings =
+      FindWarnings(setup, problem, pairs);
+   output = std::make_unique<RunOutput>(setup, problem.Get());
+   directory->Clear();
+   Begin(false, warnings);
    for (const PairAtStart &pair : pairs)
    {
       log->Add("contact pair \"" + pair.name + "\": least gap at the start " +
@@ -218,57 +155,86 @@ void Simulation::Start()
    {
       Say(ToText(move));
    }
-   DiscardCheckpoints(CheckpointDirectory(), comm);
-}
-
-void Simulation::Restart(const std::string &file)
-{
-   MFEM_VERIFY(!log, "a run can't be restarted once it has begun");
-   lines = std::make_unique<LineOutput>(setup, problem.Get());
-   ReadCheckpoint(file, problem.Get(), Stepper());
-   StartOutput(true);
-   Say("goes on from t = " + ToText(stepper->Time()) + ", " + file);
 }
 
 void Simulation::Resume()
 {
-   const FoundCheckpoint found = FindCheckpoint(CheckpointDirectory(), comm);
-   if (found.file.empty())
+   OpenDirectory();
+   const FoundCheckpoint found = FindCheckpoint(directory->Checkpoints(), comm);
+   if (!found.file.empty())
    {
-      Start();
+      const Checkpoint checkpoint(found.file, comm);
+      GoOn(checkpoint, ChangesToResume(setup, checkpoint));
    }
    else
    {
-      Restart(found.file);
+      if (directory->IsUsed())
+      {
+         VerifySameProblem(setup, directory->ReadSetup(),
+                           setup.output.directory);
+      }
+      StartAnew();
+      Say("there is no checkpoint in '" + directory->Checkpoints() +
+          "': begins at the start");
    }
    for (const std::string &reason : found.passed_over)
    {
       Say("warning: " + reason);
    }
-   if (found.file.empty())
+}
+
+void Simulation::Restart(const std::string &file, bool overwrite)
+{
+   OpenDirectory();
+   const Checkpoint checkpoint(file, comm);
+   const bool same_directory = directory->HasCheckpoint(file);
+   if (same_directory && overwrite)
    {
-      Say("there is no checkpoint in '" + CheckpointDirectory() +
-          "': begins at the start");
+      throw Error("to overwrite '" + setup.output.directory +
+                  "' would remove the checkpoint '" + file +
+                  "'; name another directory with --output");
+   }
+   if (!same_directory && !overwrite)
+   {
+      directory->VerifyUnused();
+   }
+   GoOn(checkpoint, ChangesToRestart(setup, checkpoint));
+   if (checkpoint.Setup().empty())
+   {
+      Say("warning: the checkpoint does not hold its case, for it is of an "
+          "older version: what has changed is not known");
    }
 }
 
-void Simulation::StartOutput(bool goes_on)
+void Simulation::GoOn(const Checkpoint &checkpoint,
+                      const std::vector<CaseChange> &changes)
 {
-   const std::string &directory = setup.output.directory;
-   MakeOutputDirectory(directory, comm);
-   log = std::make_unique<RunLog>(directory, comm, goes_on);
-   WriteSetup();
-   Stepper();
-   // A run that goes on in another directory starts a history there.
-   const bool has_history = goes_on && HasHistory(directory, comm);
-   history = std::make_unique<History>(
-      directory, comm,
-      has_history ? std::optional<real_t>(stepper->Time()) : std::nullopt);
-   if (setup.output.fields_every > 0)
+   VerifyEnd(setup, checkpoint);
+   const std::vector<std::string> warnings = FindWarnings(setup, problem, {});
+   output = std::make_unique<RunOutput>(setup, problem.Get());
+   checkpoint.Restore(problem.Get(), Stepper());
+   if (directory->HasCheckpoint(checkpoint.File()))
    {
-      fields = std::make_unique<FieldOutput>(directory, problem.Get(), *stepper,
-                                             goes_on);
+      directory->ClearAfter(checkpoint.Time(), checkpoint.Steps());
    }
+   else
+   {
+      directory->Clear();
+   }
+   Begin(true, warnings);
+   Say("goes on from t = " + ToText(stepper->Time()) + ", " +
+       checkpoint.File());
+   for (const CaseChange &change : changes)
+   {
+      Say("changed: " + ToText(change));
+   }
+}
+
+void Simulation::Begin(bool goes_on, const std::vector<std::string> &warnings)
+{
+   log = std::make_unique<RunLog>(setup.output.directory, comm, goes_on);
+   directory->WriteSetup(setup);
+   Logging([&]() { output->Open(Stepper(), goes_on); });
    progress = std::make_unique<Progress>(comm);
    stop = std::make_unique<StopRequest>();
 
@@ -287,14 +253,39 @@ void Simulation::StartOutput(bool goes_on)
       Say(setup.title);
    }
    Say(text.str());
+   if (!directory->Doubt().empty())
+   {
+      Say("warning: " + directory->Doubt());
+   }
+   for (const std::string &warning : warnings)
+   {
+      Say("warning: " + warning);
+   }
+}
+
+template <typename Work>
+auto Simulation::Logging(Work work) -> decltype(work())
+{
+   try
+   {
+      return work();
+   }
+   catch (const std::exception &error)
+   {
+      if (progress)
+      {
+         progress->EndLine();
+      }
+      log->TryToAdd(std::string("error: ") + error.what());
+      throw;
+   }
 }
 
 std::string Simulation::WriteCheckpoint()
 {
    try
    {
-      return synovia::WriteCheckpoint(CheckpointDirectory(), problem.Get(),
-                                      *stepper);
+      return output->WriteCheckpoint();
    }
    catch (const Error &error) // on all ranks alike
    {
@@ -312,7 +303,6 @@ std::string Simulation::WriteCheckpoint()
 
 void Simulation::Fail(const StepReport &report)
 {
-   progress->EndLine();
    std::string text = "the step from t = " + ToText(report.time) +
                       " with dt = " + ToText(report.dt) +
                       " failed: " + report.reason;
@@ -324,7 +314,6 @@ void Simulation::Fail(const StepReport &report)
          text += "; what came before is in '" + file + "'";
       }
    }
-   log->TryToAdd("error: " + text);
    throw Error(text);
 }
 
@@ -336,9 +325,15 @@ int Simulation::StopIfAsked()
    }
    const std::string file = WriteCheckpoint();
    const std::string at = "stopped at t = " + ToText(stepper->Time());
-   Say(file.empty() ? at + ", without a checkpoint"
-                    : at + "; go on with: synovia " + setup.output.directory +
-                         "/case.toml --resume");
+   if (file.empty())
+   {
+      Say(at + ", without a checkpoint");
+   }
+   else
+   {
+      Say(at + "; go on with:");
+      Say(ResumeCommand(setup.output.directory, comm));
+   }
    int signal = stop->Signal();
    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, comm);
    return 128 + signal;
@@ -347,6 +342,11 @@ int Simulation::StopIfAsked()
 StepReport Simulation::Step()
 {
    Start();
+   return Logging([&]() { return TakeStep(); });
+}
+
+StepReport Simulation::TakeStep()
+{
    const StepReport report = stepper->Step();
    if (!report.converged)
    {
@@ -364,35 +364,14 @@ void Simulation::Record(const StepReport &report)
    const StrainExtremes now = strains->Measure();
    History::Row row = StepDiagnostics(problem.Get(), *stepper, report);
    AddStrains(row, now);
-   history->Add(row);
+   output->Record(row);
    const std::string warning = strain_record.Add(now, report.time);
    if (!warning.empty())
    {
       Say("warning: " + warning);
    }
-   const int every = setup.output.fields_every;
-   if (fields && (stepper->Steps() % every == 0 || stepper->Done()))
-   {
-      fields->Save();
-   }
-   std::vector<size_t> due;
-   for (size_t i = 0; i < setup.output.lines.size(); i++)
-   {
-      const std::vector<real_t> &times = setup.output.lines[i].times;
-      bool now = times.empty() && stepper->Done();
-      for (const real_t time : times)
-      {
-         now = now || IsNow(time);
-      }
-      if (now)
-      {
-         due.push_back(i);
-      }
-   }
-   lines->Write(due, *stepper);
    log->Add(StepText(stepper->Steps(), report));
-   const int between = setup.output.checkpoint_every;
-   if (between > 0 && (stepper->Steps() % between == 0 || stepper->Done()))
+   if (output->CheckpointIsDue())
    {
       WriteCheckpoint();
    }

@@ -2,10 +2,10 @@
 
 #include "cases/case_file.hpp"
 #include "cases/case_problem.hpp"
+#include "cases/run_directory.hpp"
+#include "cases/run_output.hpp"
 #include "cases/strain_record.hpp"
 #include "general/stop_request.hpp"
-#include "io/field_output.hpp"
-#include "io/history.hpp"
 #include "io/progress.hpp"
 #include "io/run_log.hpp"
 #include "solvers/time_stepper.hpp"
@@ -17,15 +17,18 @@
 namespace synovia
 {
 
-class LineOutput;
+class Checkpoint;
+struct CaseChange;
 
 /// A case from its mesh to its results: what `synovia CASE.toml` runs, for
 /// other programs to run too, in one go or step by step.
 ///
 /// The output directory gets history.csv, history.h5, lines/, fields/,
-/// checkpoint/, run.log, and case.toml, the case with all defaults. From the
-/// first step on SIGINT and SIGTERM only ask it to stop. All members are
-/// collective.
+/// checkpoint/, run.log, and case.toml, the case with all defaults. It belongs
+/// to this run from its first step to its end: another one that would write
+/// there is refused, and so is a run where an earlier one left results, unless
+/// it goes on with that or overwrites it. From the first step on SIGINT and
+/// SIGTERM only ask it to stop. All members are collective.
 class Simulation
 {
 public:
@@ -37,12 +40,27 @@ public:
    /// Writes to @a out, on rank 0, what there is to know before it runs.
    void Describe(std::ostream &out);
 
-   /// Lets the run go on from a checkpoint instead of the start; call it before
-   /// the first step. Throws Error if it is damaged or of another problem.
-   void Restart(const std::string &file);
-   /// The same with the newest checkpoint of the output directory that is good;
-   /// from the start if there is none.
+   // At most one of these, before the first step. Without, the run begins at
+   // the start, and throws Error if the output directory has results already.
+
+   /// Removes what earlier runs have written into the output directory.
+   void Overwrite();
+
+   /// Lets the run go on with the newest good checkpoint of the output
+   /// directory; from the start if there is none. Throws Error if the case
+   /// differs from that of the checkpoint in more than title, time, solver and
+   /// output, and lists the keys, or if it ends before.
    void Resume();
+
+   /// Lets the run go on from a checkpoint, which may be of a case that differs
+   /// in all that keeps the unknowns and the contact pairs: the log lists the
+   /// changes. What the checkpoint's own output directory has of later times is
+   /// removed; in another one a history begins, and with @a overwrite what
+   /// earlier runs have written there is removed first.
+   ///
+   /// Throws Error if the checkpoint is damaged, of another problem, or of a
+   /// time after the end.
+   void Restart(const std::string &file, bool overwrite = false);
 
    /// Runs to the end or until it is asked to stop; gives the exit status of
    /// the program. Throws Error if a step fails or the output can't be written.
@@ -66,14 +84,19 @@ public:
    bool IsNow(mfem::real_t time);
 
 private:
+   void OpenDirectory();
    void Start();
-   void StartOutput(bool goes_on);
+   void StartAnew();
+   void GoOn(const Checkpoint &checkpoint,
+             const std::vector<CaseChange> &changes);
+   void Begin(bool goes_on, const std::vector<std::string> &warnings);
    void Say(const std::string &text);
-   std::string CheckpointDirectory() const;
+   StepReport TakeStep();
+   void Record(const StepReport &report);
    std::string WriteCheckpoint();
    [[noreturn]] void Fail(const StepReport &report);
-   void Record(const StepReport &report);
-   void WriteSetup() const;
+   template <typename Work>
+   auto Logging(Work work) -> decltype(work());
 
    CaseFile setup;
    MPI_Comm comm;
@@ -83,10 +106,9 @@ private:
    std::unique_ptr<TimeStepper> stepper;
    std::unique_ptr<StrainMonitor> strains;
    StrainRecord strain_record;
+   std::unique_ptr<RunDirectory> directory;
    std::unique_ptr<RunLog> log;
-   std::unique_ptr<History> history;
-   std::unique_ptr<FieldOutput> fields;
-   std::unique_ptr<LineOutput> lines;
+   std::unique_ptr<RunOutput> output;
    std::unique_ptr<Progress> progress;
    std::unique_ptr<StopRequest> stop;
    double output_seconds = 0.0;

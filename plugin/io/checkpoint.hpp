@@ -1,9 +1,9 @@
 #pragma once
 
+#include "io/checkpoint_file.hpp"
 #include "solvers/time_stepper.hpp"
 
 #include <string>
-#include <vector>
 
 namespace synovia
 {
@@ -17,38 +17,52 @@ namespace synovia
 /// other. The newest @a keep checkpoints stay; the others go, and so do those
 /// of later steps, which an earlier run must have left.
 ///
+/// @a setup is the case as text, for who goes on from it to compare.
+///
 /// Collective; rank 0 writes. Throws Error on all ranks if the file can't be
 /// written, because the disk is full, say: those of before are then still
 /// there, and the caller may go on.
 std::string WriteCheckpoint(const std::string &directory,
                             BiphasicProblem &problem, TimeStepper &stepper,
-                            int keep = 2);
+                            const std::string &setup = "", int keep = 2);
 
-/// Sets @a problem and @a stepper to what they were when the file was written.
-///
-/// They must have been made like those: same mesh, order, materials and contact
-/// pairs. The options of the stepper may differ (end, step, scheme), and the
-/// number of ranks may.
-///
-/// Collective; rank 0 reads. Throws Error on all ranks, before anything is
-/// changed, if the file can't be read, is damaged or no checkpoint, or is one
-/// of another problem.
+/// A checkpoint as it was read.
+class Checkpoint
+{
+public:
+   /// Collective; rank 0 reads. Throws Error on all ranks if the file can't be
+   /// read, is damaged or no checkpoint.
+   Checkpoint(const std::string &file, MPI_Comm comm);
+
+   const std::string &File() const { return file; }
+   mfem::real_t Time() const { return time; }
+   /// Accepted steps until then.
+   int Steps() const { return steps; }
+   /// The case as text; empty if the program that wrote it had none, or was of
+   /// a version that did not keep it.
+   const std::string &Setup() const { return setup; }
+
+   /// Sets @a problem and @a stepper to what they were when it was written.
+   ///
+   /// They must have been made like those: same mesh, order and contact pairs.
+   /// The materials and conditions may differ, and so may the options of the
+   /// stepper (end, step, scheme) and the number of ranks.
+   ///
+   /// Collective. Throws Error on all ranks, before anything is changed, if it
+   /// is one of another problem, and says in what.
+   void Restore(BiphasicProblem &problem, TimeStepper &stepper) const;
+
+private:
+   std::string file;
+   MPI_Comm comm;
+   CheckpointContents contents; // rank 0 only
+   std::string setup;
+   mfem::real_t time = 0.0;
+   int steps = 0;
+};
+
+/// Reads a checkpoint and restores it. Throws as both do.
 void ReadCheckpoint(const std::string &file, BiphasicProblem &problem,
                     TimeStepper &stepper);
-
-struct FoundCheckpoint
-{
-   /// Empty if there is none.
-   std::string file;
-   /// Newer ones that can't be used, each with the reason.
-   std::vector<std::string> passed_over;
-};
-/// The newest checkpoint in @a directory that is not damaged. Collective; rank
-/// 0 reads.
-FoundCheckpoint FindCheckpoint(const std::string &directory, MPI_Comm comm);
-
-/// Removes the checkpoints in @a directory, which a run from the start would
-/// contradict. Collective.
-void DiscardCheckpoints(const std::string &directory, MPI_Comm comm);
 
 } // namespace synovia

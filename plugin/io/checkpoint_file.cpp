@@ -1,5 +1,6 @@
 #include "io/checkpoint_file.hpp"
 #include "io/hdf5_guard.hpp"
+#include "io/output_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -183,48 +184,17 @@ CheckpointContents Unpack(std::vector<char> &image)
    return contents;
 }
 
-/// A file that closes itself.
-class File
+/// Waits until the disk has the names of the files in a directory.
+void SyncDirectory(const std::filesystem::path &path)
 {
-public:
-   File(const std::string &path, int flags)
-      : descriptor(open(path.c_str(), flags | O_CLOEXEC, 0666))
+   const int descriptor =
+      open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+   if (descriptor >= 0)
    {
+      fsync(descriptor);
+      close(descriptor);
    }
-   ~File() { Close(); }
-   File(const File &) = delete;
-   File &operator=(const File &) = delete;
-
-   bool IsOpen() const { return descriptor >= 0; }
-   bool Write(const char *bytes, std::size_t count)
-   {
-      while (count > 0)
-      {
-         const ssize_t written = write(descriptor, bytes, count);
-         if (written < 0 && errno == EINTR)
-         {
-            continue;
-         }
-         if (written <= 0)
-         {
-            return false;
-         }
-         bytes += written;
-         count -= written;
-      }
-      return true;
-   }
-   bool Sync() { return fsync(descriptor) == 0; }
-   bool Close()
-   {
-      const bool good = descriptor < 0 || close(descriptor) == 0;
-      descriptor = -1;
-      return good;
-   }
-
-private:
-   int descriptor;
-};
+}
 
 /// The HDF5 file in the file, verified.
 std::vector<char> ReadImage(const std::string &path)
@@ -285,30 +255,30 @@ void WriteCheckpointFile(const std::string &path,
    }
    const std::string head = Head(image);
    const std::string fresh = path + ".new";
-   std::string reason;
-   errno = 0;
-   {
-      File file(fresh, O_WRONLY | O_CREAT | O_TRUNC);
-      const bool written =
-         file.IsOpen() && file.Write(head.data(), head.size()) &&
-         file.Write(image.data(), image.size()) && file.Sync() && file.Close();
-      reason = written ? "" : std::strerror(errno);
-   }
    std::error_code error;
-   if (reason.empty())
+   try
    {
-      std::filesystem::rename(fresh, path, error);
-      reason = error ? error.message() : "";
+      OutputFile file(fresh, OutputFile::Mode::truncate,
+                      "the checkpoint '" + path + "'");
+      file.Write(head);
+      file.Write(image.data(), image.size());
+      file.Sync();
+      file.Close();
    }
-   if (!reason.empty())
+   catch (const std::runtime_error &)
    {
+      std::filesystem::remove(fresh, error);
+      throw;
+   }
+   std::filesystem::rename(fresh, path, error);
+   if (error)
+   {
+      const std::string reason = error.message();
       std::filesystem::remove(fresh, error);
       Fail("write the checkpoint", path, reason);
    }
    // The new name is on the disk only when the directory is.
-   const std::filesystem::path directory =
-      std::filesystem::absolute(path).parent_path();
-   File(directory.string(), O_RDONLY | O_DIRECTORY).Sync();
+   SyncDirectory(std::filesystem::absolute(path).parent_path());
 }
 
 CheckpointContents ReadCheckpointFile(const std::string &path)

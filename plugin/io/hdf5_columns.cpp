@@ -1,10 +1,10 @@
 #include "io/hdf5_columns.hpp"
 #include "io/hdf5_guard.hpp"
+#include "io/output_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -170,24 +170,7 @@ void Hdf5Columns::WriteChanges() const
 
 void Hdf5Columns::WriteWhole() const
 {
-   // The old file is there until the new one is whole.
-   const std::string fresh = path + ".new";
-   errno = 0;
-   std::ofstream out(fresh, std::ios::binary | std::ios::trunc);
-   out.write(image.data(), static_cast<std::streamsize>(image.size()));
-   out.close();
-   std::string reason = out ? "" : std::strerror(errno);
-   std::error_code error;
-   if (out)
-   {
-      std::filesystem::rename(fresh, path, error);
-      reason = error ? error.message() : "";
-   }
-   if (!reason.empty())
-   {
-      std::filesystem::remove(fresh, error);
-      throw std::runtime_error("cannot write '" + path + "': " + reason);
-   }
+   ReplaceFile(path, image.data(), image.size());
 }
 
 std::vector<double> ReadHdf5Column(const std::string &file,

@@ -1,13 +1,12 @@
 #include "io/history.hpp"
 #include "general/error.hpp"
+#include "general/root_rank.hpp"
 #include "io/hdf5_columns.hpp"
 #include "io/output_directory.hpp"
+#include "io/output_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -72,19 +71,13 @@ public:
 private:
    void Open(const std::vector<std::string> &names_, const std::string &file);
    void Write(const std::vector<std::vector<double>> &added);
-   [[noreturn]] void FailCsv() const;
 
    std::string csv_path;
    std::string hdf5_path;
    std::vector<std::string> names;
-   std::ofstream csv;
+   std::unique_ptr<OutputFile> csv;
    std::unique_ptr<Hdf5Columns> hdf5;
 };
-
-void History::Files::FailCsv() const
-{
-   throw Error("cannot write '" + csv_path + "': " + std::strerror(errno));
-}
 
 void History::Files::Discard()
 {
@@ -97,17 +90,13 @@ void History::Files::Open(const std::vector<std::string> &names_,
 {
    CheckNames(names_);
    names = names_;
-   errno = 0;
-   csv.open(file, std::ios::trunc);
-   for (std::size_t i = 0; i < names.size(); i++)
+   std::string line;
+   for (const std::string &name : names)
    {
-      csv << (i ? "," : "") << names[i];
+      line += (line.empty() ? "" : ",") + name;
    }
-   csv << std::setprecision(digits) << std::endl;
-   if (!csv)
-   {
-      FailCsv();
-   }
+   csv = std::make_unique<OutputFile>(file, OutputFile::Mode::truncate);
+   csv->Write(line + "\n");
    hdf5 = std::make_unique<Hdf5Columns>(hdf5_path, names);
 }
 
@@ -122,12 +111,7 @@ void History::Files::Write(const std::vector<std::vector<double>> &added)
       {
          line << (i ? "," : "") << values[i];
       }
-      errno = 0;
-      csv << line.str() + "\n" << std::flush;
-      if (!csv)
-      {
-         FailCsv();
-      }
+      csv->Write(line.str() + "\n");
    }
    hdf5->Append(added);
 }
@@ -199,48 +183,24 @@ void History::Files::Add(const Row &row)
    Write({values});
 }
 
-namespace
-{
-/// Runs @a work and gives the text of what it throws.
-template <typename Work>
-std::string MessageOf(Work work)
-{
-   try
-   {
-      work();
-   }
-   catch (const std::exception &error)
-   {
-      return error.what();
-   }
-   return "";
-}
-} // namespace
-
 History::History(const std::string &directory, MPI_Comm comm_,
                  std::optional<real_t> keep_until)
    : comm(comm_)
 {
-   MPI_Comm_rank(comm, &rank);
    MakeOutputDirectory(directory, comm);
-   std::string message;
-   if (rank == 0)
-   {
-      files = std::make_unique<Files>(directory);
-      message = MessageOf(
-         [&]()
-         {
-            if (keep_until)
-            {
-               rows = files->Keep(*keep_until);
-            }
-            else
-            {
-               files->Discard();
-            }
-         });
-   }
-   ThrowIfAny(comm, message);
+   OnRoot(comm,
+          [&]()
+          {
+             files = std::make_unique<Files>(directory);
+             if (keep_until)
+             {
+                rows = files->Keep(*keep_until);
+             }
+             else
+             {
+                files->Discard();
+             }
+          });
    MPI_Bcast(&rows, 1, MPI_INT, 0, comm);
 }
 
@@ -248,12 +208,7 @@ History::~History() = default;
 
 void History::Add(const Row &row)
 {
-   std::string message;
-   if (rank == 0)
-   {
-      message = MessageOf([&]() { files->Add(row); });
-   }
-   ThrowIfAny(comm, message);
+   OnRoot(comm, [&]() { files->Add(row); });
    rows++;
 }
 

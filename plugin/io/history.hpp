@@ -46,7 +46,6 @@ private:
    class Files; // rank 0 only
 
    MPI_Comm comm;
-   int rank = 0;
    int rows = 0;
    std::unique_ptr<Files> files;
 };

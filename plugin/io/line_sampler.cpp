@@ -1,11 +1,10 @@
 #include "io/line_sampler.hpp"
 #include "general/error.hpp"
+#include "general/root_rank.hpp"
 #include "io/output_directory.hpp"
+#include "io/output_file.hpp"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -27,26 +26,23 @@ Array<int> AttributesOf(const NamedMesh &mesh,
    return attributes;
 }
 
-/// Writes the table; gives the reason if it can't.
-std::string WriteCsv(const std::string &path, const SampledTable &table)
+std::string CsvText(const SampledTable &table)
 {
-   errno = 0;
-   std::ofstream file(path, std::ios::trunc);
+   std::ostringstream text;
    for (std::size_t j = 0; j < table.columns.size(); j++)
    {
-      file << (j ? "," : "") << table.columns[j];
+      text << (j ? "," : "") << table.columns[j];
    }
-   file << '\n' << std::setprecision(12);
+   text << '\n' << std::setprecision(12);
    for (int i = 0; i < table.values.Height(); i++)
    {
       for (int j = 0; j < table.values.Width(); j++)
       {
-         file << (j ? "," : "") << table.values(i, j);
+         text << (j ? "," : "") << table.values(i, j);
       }
-      file << '\n';
+      text << '\n';
    }
-   file.close();
-   return file ? "" : "cannot write '" + path + "': " + std::strerror(errno);
+   return text.str();
 }
 } // namespace
 
@@ -140,9 +136,7 @@ void LineSampler::Write(const std::string &directory, real_t time,
    std::ostringstream path;
    path << directory << '/' << line.name << "_t" << std::setprecision(10)
         << time << ".csv";
-   int rank = 0;
-   MPI_Comm_rank(comm, &rank);
-   ThrowIfAny(comm, rank == 0 ? WriteCsv(path.str(), table) : std::string());
+   OnRoot(comm, [&]() { ReplaceFile(path.str(), CsvText(table)); });
 }
 
 } // namespace synovia

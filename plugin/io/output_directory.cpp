@@ -1,10 +1,9 @@
 #include "io/output_directory.hpp"
-#include "general/error.hpp"
+#include "general/root_rank.hpp"
+#include "io/output_file.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
+#include <stdexcept>
 
 namespace synovia
 {
@@ -21,27 +20,33 @@ std::string TryToMake(const std::string &path)
              "': " + error.message();
    }
    // Permissions tell little: the file system may be read-only or full.
-   const std::string probe = path + "/.synovia-write-test";
-   errno = 0;
-   std::FILE *file = std::fopen(probe.c_str(), "w");
-   const bool written = file && std::fputs("probe", file) >= 0;
-   const bool closed = file && std::fclose(file) == 0;
-   const int reason = errno;
-   std::filesystem::remove(probe, error);
-   if (!written || !closed)
-   {
-      return "cannot write into the output directory '" + path +
-             "': " + std::strerror(reason);
-   }
-   return "";
+   return ProbeForWriting(path, 1, "into the output directory '" + path + "'");
 }
 } // namespace
 
+std::string ProbeForWriting(const std::string &directory, std::size_t size,
+                            const std::string &subject)
+{
+   const std::string probe = directory + "/.synovia-write-test";
+   std::string reason;
+   try
+   {
+      OutputFile file(probe, OutputFile::Mode::truncate, subject);
+      file.Write(std::string(size, ' '));
+      file.Close();
+   }
+   catch (const std::runtime_error &error)
+   {
+      reason = error.what();
+   }
+   std::error_code ignored;
+   std::filesystem::remove(probe, ignored);
+   return reason;
+}
+
 void MakeOutputDirectory(const std::string &path, MPI_Comm comm)
 {
-   int rank = 0;
-   MPI_Comm_rank(comm, &rank);
-   ThrowIfAny(comm, rank == 0 ? TryToMake(path) : std::string());
+   ThrowIfAny(comm, IsRoot(comm) ? TryToMake(path) : std::string());
 }
 
 } // namespace synovia

@@ -4,6 +4,8 @@
 #include "io/vtu_piece.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 
 namespace synovia
@@ -13,6 +15,9 @@ using namespace mfem;
 
 namespace
 {
+// More than a file that names the others has.
+constexpr std::size_t probe_size = 1 << 20;
+
 /// Whether a file ends like a whole VTK file. MFEM does not look at the state
 /// of its streams, and a full disk leaves files that ParaView can't read.
 bool IsWhole(const std::string &path)
@@ -68,8 +73,11 @@ public:
       {
          fields.emplace_back(name, static_cast<ParGridFunction *>(field));
       }
+      errno = 0;
       std::ofstream file(PiecePath());
       piece.Write(file, fields);
+      file.close();
+      piece_fault = file ? "" : std::strerror(errno);
    }
 
    /// What is wrong with the files of the last Save(), or nothing.
@@ -87,7 +95,16 @@ public:
       {
          if (!IsWhole(file))
          {
-            return "cannot write '" + file + "': it is missing or cut short";
+            const std::string subject = "'" + file + "'";
+            const std::string why = ProbeForWriting(root, probe_size, subject);
+            if (!why.empty())
+            {
+               return why;
+            }
+            return "cannot write " + subject + ": " +
+                   (file == PiecePath() && !piece_fault.empty()
+                       ? piece_fault
+                       : "it is missing or cut short");
          }
       }
       return "";
@@ -101,6 +118,7 @@ private:
    }
 
    VtuPiece piece;
+   std::string piece_fault;
 };
 
 ParaViewOutput::ParaViewOutput(const std::string &directory,

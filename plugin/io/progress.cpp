@@ -35,6 +35,18 @@ bool WritesToTerminal()
          .string();
    return output.rfind("/dev/pts/", 0) == 0 || output.rfind("/dev/tty", 0) == 0;
 }
+
+std::string LeftText(const RemainingTime &remaining)
+{
+   const std::optional<double> seconds = remaining.Seconds();
+   if (!seconds)
+   {
+      return "";
+   }
+   char text[32];
+   std::snprintf(text, sizeof(text), ", %.0f s left", *seconds);
+   return text;
+}
 } // namespace
 
 Progress::Progress(MPI_Comm comm)
@@ -56,6 +68,8 @@ void Progress::Report(const StepReport &report, const TimeStepper &stepper)
    }
    const double elapsed = watch.RealTime();
    const int left = stepper.StepsLeft();
+   remaining.Add(elapsed - last_step, left);
+   last_step = elapsed;
    const bool last = left == 0;
    if (!terminal && !last && step > 1 && elapsed - last_line < log_interval)
    {
@@ -63,11 +77,11 @@ void Progress::Report(const StepReport &report, const TimeStepper &stepper)
    }
    last_line = elapsed;
    std::printf("%sstep %d/%d  t %.6g  dt %.4g  newton %d  augmentations %d  "
-               "linear %d  area %.4g  %.0f s, %.0f s left%s",
+               "linear %d  area %.4g  %.0f s%s%s",
                terminal ? "\r\033[K" : "", step, step + left, report.time,
                report.dt, report.solve.newton, report.solve.augmentations,
                report.solve.linear, report.contact_area, elapsed,
-               elapsed / step * left, terminal && !last ? "" : "\n");
+               LeftText(remaining).c_str(), terminal && !last ? "" : "\n");
    std::fflush(stdout);
    open = terminal && !last;
 }

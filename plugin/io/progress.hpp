@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/remaining_time.hpp"
 #include "solvers/time_stepper.hpp"
 
 namespace synovia
@@ -25,6 +26,8 @@ private:
    int step = 0;
    int linear = 0;
    double last_line = 0.0;
+   double last_step = 0.0;
+   RemainingTime remaining;
    mfem::StopWatch watch;
 };
 

@@ -1,64 +1,60 @@
 #include "io/run_log.hpp"
-#include "general/error.hpp"
+#include "general/root_rank.hpp"
+#include "general/utc_time.hpp"
+#include "io/output_file.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <ctime>
+#include <sstream>
 
 namespace synovia
 {
 
 namespace
 {
-std::string Now()
+std::string InOneLine(const std::string &text)
 {
-   const std::time_t now = std::time(nullptr);
-   std::tm parts;
-   gmtime_r(&now, &parts);
-   char text[32];
-   std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
-   return text;
+   std::istringstream lines(text);
+   std::string joined;
+   for (std::string line; std::getline(lines, line);)
+   {
+      line.erase(0, line.find_first_not_of(' '));
+      joined += (joined.empty() ? "" : "; ") + line;
+   }
+   return joined;
 }
 } // namespace
 
 RunLog::RunLog(const std::string &directory, MPI_Comm comm_, bool append)
-   : comm(comm_), path(directory + "/run.log")
+   : comm(comm_)
 {
-   MPI_Comm_rank(comm, &rank);
-   std::string problem;
-   if (rank == 0)
-   {
-      errno = 0;
-      file.open(path, append ? std::ios::app : std::ios::trunc);
-      if (!file)
-      {
-         problem = "cannot write '" + path + "': " + std::strerror(errno);
-      }
-   }
-   ThrowIfAny(comm, problem);
+   OnRoot(comm,
+          [&]()
+          {
+             file = std::make_unique<OutputFile>(
+                directory + "/run.log",
+                append ? OutputFile::Mode::append : OutputFile::Mode::truncate);
+          });
 }
 
-std::string RunLog::Write(const std::string &text)
+RunLog::~RunLog() = default;
+
+void RunLog::Write(const std::string &text)
 {
-   if (rank != 0)
-   {
-      return "";
-   }
-   errno = 0;
-   file << Now() + "  " + text + "\n" << std::flush;
-   return file ? "" : "cannot write '" + path + "': " + std::strerror(errno);
+   file->Write(UtcNow() + "  " + InOneLine(text) + "\n");
 }
 
 void RunLog::Add(const std::string &text)
 {
-   ThrowIfAny(comm, Write(text));
+   OnRoot(comm, [&]() { Write(text); });
 }
 
 void RunLog::TryToAdd(const std::string &text) noexcept
 {
    try
    {
-      Write(text);
+      if (file)
+      {
+         Write(text);
+      }
    }
    catch (const std::exception &)
    {

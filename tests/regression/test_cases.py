@@ -68,7 +68,8 @@ class Runs:
         run_cases.add(case.stem)
         output = self.directory / "out"
         command = [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia",
-                   case, "--output", output, "--set", f'mesh.file="{mesh}"']
+                   case, "--output", output, "--overwrite",
+                   "--set", f'mesh.file="{mesh}"']
         for setting in settings:
             command += ["--set", setting]
         run_program(*command, text=f"{case.name} {' '.join(settings)}")

@@ -35,8 +35,8 @@ class Runs:
         output = self.directory / "out"
         run_program(
             MPIEXEC, "-n", str(ranks), PROGRAMS / "indentation",
-            "--mesh", self.mesh, "--output", output, "--fields-every", "0",
-            *arguments, text=f"{ranks} ranks, {' '.join(arguments)}")
+            "--mesh", self.mesh, "--output", output, "--overwrite",
+            "--fields-every", "0", *arguments, text=f"{ranks} ranks, {' '.join(arguments)}")
         return history(output)
 
 

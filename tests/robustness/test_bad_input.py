@@ -346,7 +346,8 @@ class FullDisk(Case):
             self.skipTest("may not mount a small file system")
         if run.returncode == 99:
             self.skipTest("may not mount a small file system")
-        self.assert_error(run, "cannot write", str(disk / "out"))
+        self.assert_error(run, "cannot write", str(disk / "out"),
+                          "No space left on device")
 
     def test_fields(self) -> None:
         self.full_disk("32k", "--fields-every", "1")

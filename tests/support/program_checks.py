@@ -55,6 +55,17 @@ def make_mesh(script: str, file: pathlib.Path, *arguments: str) -> None:
                 "-o", file, text=" ".join((script,) + arguments))
 
 
+def descendants(pid: int) -> list[int]:
+    """The processes that one has started, and those that they have."""
+    children = []
+    for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
+        try:
+            children += [int(child) for child in task.read_text().split()]
+        except OSError:
+            pass   # it has just ended
+    return children + [d for child in children for d in descendants(child)]
+
+
 def history(output: pathlib.Path) -> list[dict[str, float]]:
     """The rows of a run's history."""
     with open(output / "history.csv") as file:

@@ -203,6 +203,7 @@ TEST_CASE("Fields that can't be written are an error on all ranks", "[io]")
          }
       });
    REQUIRE_THROWS_WITH(output.Save(1, 1.0), Contains("Cycle000001"));
-   REQUIRE_THROWS_WITH(output.Save(2, 2.0), Contains("proc000000.vtu"));
+   REQUIRE_THROWS_WITH(output.Save(2, 2.0),
+                       Contains("proc000000.vtu': No space left on device"));
    CHECK_NOTHROW(output.Save(3, 3.0));
 }

@@ -1,0 +1,46 @@
+#include "cases/case_mesh.hpp"
+#include "general/root_rank.hpp"
+
+#include <filesystem>
+
+namespace synovia
+{
+
+namespace
+{
+// What makes a mesh that isn't there, if the case says so.
+std::string MeshAdvice(const CaseFile &setup, MPI_Comm comm)
+{
+   const MeshGenerator &generator = setup.mesh.generator;
+   if (generator.script.empty() ||
+       OfRoot(std::filesystem::exists(setup.mesh.file), comm))
+   {
+      return "";
+   }
+   std::string command = "meshes/" + generator.script;
+   for (const std::string &argument : generator.arguments)
+   {
+      command += " " + argument;
+   }
+   const auto file = setup.places.find("");
+   return "; to make it and run the case: scripts/run " +
+          (file == setup.places.end() ? "CASE.toml" : file->second.source) +
+          "; to make it: scripts/python " + command + " -o " + setup.mesh.file;
+}
+
+} // namespace
+
+NamedMesh ReadCaseMesh(const CaseFile &setup, MPI_Comm comm)
+{
+   try
+   {
+      return ReadGmsh(setup.mesh.file, comm, setup.mesh.options);
+   }
+   catch (const Error &error) // on all ranks alike
+   {
+      throw Error(WhereIs(setup.places, "mesh.file") + ": " + error.what() +
+                  MeshAdvice(setup, comm));
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,113 @@
+#include "io/output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace synovia
+{
+
+namespace
+{
+[[noreturn]] void FailToWrite(const std::string &subject,
+                              const std::string &reason)
+{
+   throw std::runtime_error("cannot write " + subject + ": " + reason);
+}
+
+std::string InQuotes(const std::string &path)
+{
+   return "'" + path + "'";
+}
+} // namespace
+
+OutputFile::OutputFile(const std::string &path, Mode mode,
+                       const std::string &subject_)
+   : subject(subject_.empty() ? InQuotes(path) : subject_),
+     descriptor(open(path.c_str(),
+                     O_WRONLY | O_CREAT | O_CLOEXEC |
+                        (mode == Mode::append ? O_APPEND : O_TRUNC),
+                     0666))
+{
+   if (descriptor < 0)
+   {
+      Fail();
+   }
+}
+
+OutputFile::~OutputFile()
+{
+   if (descriptor >= 0)
+   {
+      close(descriptor);
+   }
+}
+
+void OutputFile::Fail() const
+{
+   FailToWrite(subject, std::strerror(errno));
+}
+
+void OutputFile::Write(const char *bytes, std::size_t count)
+{
+   while (count > 0)
+   {
+      const ssize_t written = write(descriptor, bytes, count);
+      if (written >= 0)
+      {
+         bytes += written;
+         count -= written;
+      }
+      else if (errno != EINTR)
+      {
+         Fail();
+      }
+   }
+}
+
+void OutputFile::Sync()
+{
+   if (fsync(descriptor) != 0)
+   {
+      Fail();
+   }
+}
+
+void OutputFile::Close()
+{
+   const bool closed = close(descriptor) == 0;
+   descriptor = -1;
+   if (!closed)
+   {
+      Fail();
+   }
+}
+
+void ReplaceFile(const std::string &path, const char *bytes, std::size_t count)
+{
+   const std::string fresh = path + ".new";
+   std::error_code error;
+   try
+   {
+      OutputFile file(fresh, OutputFile::Mode::truncate, InQuotes(path));
+      file.Write(bytes, count);
+      file.Close();
+   }
+   catch (const std::runtime_error &)
+   {
+      std::filesystem::remove(fresh, error);
+      throw;
+   }
+   std::filesystem::rename(fresh, path, error);
+   if (error)
+   {
+      const std::string reason = error.message();
+      std::filesystem::remove(fresh, error);
+      FailToWrite(InQuotes(path), reason);
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+namespace synovia
+{
+
+/// Estimates how long a run still takes, from what its steps took so far.
+///
+/// The first step tells nothing of the others, for it sets up what they use
+/// again; of the others later ones count more. As long as the number of steps
+/// to come is uncertain, while adaptive steps grow for one, there is no
+/// estimate.
+class RemainingTime
+{
+public:
+   /// A step, with its output, took so many seconds, and so many are left.
+   void Add(double seconds, int steps_left);
+
+   /// In seconds; none before it means something.
+   std::optional<double> Seconds() const;
+
+private:
+   int steps = 0;
+   int left = 0;
+   bool settled = false;
+   double weighted_seconds = 0.0;
+   double weights = 0.0;
+};
+
+} // namespace synovia
