@@ -77,12 +77,8 @@ void RunDirectory::ClearAfter(real_t time, int steps) const
 
 void RunDirectory::WriteSetup(const CaseFile &setup) const
 {
-   std::string text = signature;
-   for (const auto &[name, version] : Versions())
-   {
-      text += (text == signature ? ": " : ", ") + name + " " + version;
-   }
-   text += "\n\n" + SetupText(setup);
+   const std::string text = std::string(signature) + ": " + VersionsText() +
+                            "\n\n" + SetupText(setup);
    OnRoot(comm, [&]() { ReplaceFile(SetupPath(), text); });
 }
 

@@ -5,6 +5,7 @@
 #include "cases/problem_report.hpp"
 #include "cases/restart_rules.hpp"
 #include "cases/resume_command.hpp"
+#include "cases/run_texts.hpp"
 #include "checks/case_warnings.hpp"
 #include "general/root_rank.hpp"
 #include "general/text.hpp"
@@ -13,9 +14,7 @@
 #include "io/checkpoint_directory.hpp"
 #include "io/step_diagnostics.hpp"
 
-#include <iomanip>
 #include <iostream>
-#include <sstream>
 
 namespace synovia
 {
@@ -28,33 +27,6 @@ const CaseFile &Checked(const CaseFile &setup)
 {
    CheckCase(setup);
    return setup;
-}
-
-std::string VersionsText()
-{
-   std::string text;
-   for (const auto &[name, version] : Versions())
-   {
-      text += (text.empty() ? "" : ", ") + name + " " + version;
-   }
-   return text;
-}
-
-std::string StepText(int step, const StepReport &report)
-{
-   std::ostringstream text;
-   text << "step " << step << "  t " << std::setprecision(10) << report.time
-        << "  dt " << std::setprecision(6) << report.dt << "  newton "
-        << report.solve.newton << "  augmentations "
-        << report.solve.augmentations << "  linear " << report.solve.linear
-        << "  area " << report.contact_area << "  seconds "
-        << std::setprecision(3) << report.seconds;
-   if (report.failures + report.rejections > 0)
-   {
-      text << "  failed tries " << report.failures << ", inaccurate "
-           << report.rejections;
-   }
-   return text.str();
 }
 } // namespace
 
@@ -238,21 +210,12 @@ void Simulation::Begin(bool goes_on, const std::vector<std::string> &warnings)
    progress = std::make_unique<Progress>(comm);
    stop = std::make_unique<StopRequest>();
 
-   BiphasicSpaces &spaces = problem.Get().Spaces();
-   int ranks = 1;
-   MPI_Comm_size(comm, &ranks);
-   std::ostringstream text;
-   text << "order " << spaces.Order() << ", "
-        << spaces.Displacement().GlobalTrueVSize() +
-              spaces.Pressure().GlobalTrueVSize()
-        << " dofs on " << ranks << (ranks == 1 ? " rank" : " ranks")
-        << ", set up in " << std::setprecision(3) << watch.RealTime() << " s";
    log->Add(VersionsText());
    if (!setup.title.empty())
    {
       Say(setup.title);
    }
-   Say(text.str());
+   Say(SizeText(problem.Get().Spaces(), watch.RealTime()));
    if (!directory->Doubt().empty())
    {
       Say("warning: " + directory->Doubt());
@@ -395,14 +358,8 @@ int Simulation::Run()
 
 void Simulation::Finish()
 {
-   const PhaseTimes &phases = problem.Get().Operator().Times();
-   std::ostringstream text;
-   text << std::fixed << std::setprecision(1) << "total " << watch.RealTime()
-        << " s: linear systems " << phases.linear << " s, their set-up "
-        << phases.setup << " s, contact search " << phases.search
-        << " s, assembly " << phases.assembly << " s, output " << output_seconds
-        << " s";
-   Say(text.str());
+   Say(PhaseText(problem.Get().Operator().Times(), watch.RealTime(),
+                 output_seconds));
    const std::string largest = strain_record.Summary();
    if (!largest.empty())
    {

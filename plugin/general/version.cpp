@@ -35,4 +35,14 @@ std::vector<std::pair<std::string, std::string>> Versions()
            {"MPI", MpiVersion()}};
 }
 
+std::string VersionsText()
+{
+   std::string text;
+   for (const auto &[name, version] : Versions())
+   {
+      text += (text.empty() ? "" : ", ") + name + " " + version;
+   }
+   return text;
+}
+
 } // namespace synovia

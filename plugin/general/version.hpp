@@ -13,4 +13,7 @@ std::string Version();
 /// Names and versions of Synovia and of what it computes with.
 std::vector<std::pair<std::string, std::string>> Versions();
 
+/// The same in one line.
+std::string VersionsText();
+
 } // namespace synovia

@@ -14,7 +14,7 @@ namespace synovia
 void MakeOutputDirectory(const std::string &path, MPI_Comm comm);
 
 /// Tries to write a file of @a size bytes into the directory and removes it:
-/// "cannot write <subject>: <reason>", or nothing if it can. For one process.
+/// `cannot write <subject>: <reason>`, or nothing if it can. For one process.
 std::string ProbeForWriting(const std::string &directory, std::size_t size,
                             const std::string &subject);
 

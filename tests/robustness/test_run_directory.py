@@ -16,6 +16,7 @@ import io
 import os
 import pathlib
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -53,10 +54,11 @@ class Runs:
             command += ["--set", setting]
         return command
 
-    def __call__(self, *arguments, **more) -> subprocess.CompletedProcess:
+    def __call__(self, *arguments, env: dict[str, str] | None = None,
+                 **more) -> subprocess.CompletedProcess:
         return subprocess.run(self.command(*arguments, **more), text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              cwd=self.directory, timeout=120)
+                              cwd=self.directory, env=env, timeout=120)
 
     def good(self, what: str, *arguments, **more) -> str:
         result = self(*arguments, **more)
@@ -157,6 +159,26 @@ def at_once(run: Runs) -> None:
     reached = history(run.directory / "busy")[-1]["t"]
     run.good("killed, it can be resumed", 2, "busy", "--resume",
              end=reached + 4, settings=("output.fields_every=0",))
+
+
+def without_locks(run: Runs) -> None:
+    """On a file system that has none: stands for NFS without its daemon."""
+    compiler = shutil.which("cc")
+    if compiler is None:
+        print("skipped: no compiler for a file system without locks")
+        return
+    source = run.directory / "no_locks.c"
+    source.write_text("#include <errno.h>\n"
+                      "int flock(int file, int operation)\n"
+                      "{ (void)file; (void)operation;"
+                      " errno = ENOLCK; return -1; }\n")
+    library = run.directory / "no_locks.so"
+    subprocess.run([compiler, "-shared", "-fPIC", "-o", library, source],
+                   check=True)
+    said = run.good("a run where there are no locks", 2, "unlocked", end=4.0,
+                    env=os.environ | {"LD_PRELOAD": str(library)})
+    check(said.count("warning: 'unlocked' can't be locked: No locks available")
+          == 1, "warns of it")
 
 
 def changed(run: Runs) -> None:
@@ -326,6 +348,7 @@ def main() -> None:
         run = Runs(pathlib.Path(name))
         used(run)
         at_once(run)
+        without_locks(run)
         changed(run)
         without_case(run)
         without_checkpoint(run)

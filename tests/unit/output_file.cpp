@@ -102,7 +102,9 @@ TEST_CASE("The case and the lines say it, too")
    MakeFull(directory, "case.toml.new");
    MakeFull(directory, "lines/axis_t0.5.csv.new");
    const RunDirectory run(directory.Path(), MPI_COMM_WORLD);
-   CHECK_THROWS_WITH(run.WriteSetup(CaseFile()),
+   CaseFile setup;
+   setup.mesh.file = "column.msh";
+   CHECK_THROWS_WITH(run.WriteSetup(setup),
                      Equals(NoSpace(directory / "case.toml")));
    NamedMesh mesh = MakeBox({});
    LineDefinition line;
