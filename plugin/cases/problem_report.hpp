@@ -2,10 +2,10 @@
 
 #include "cases/case_problem.hpp"
 #include "cases/contact_check.hpp"
-#include "cases/stiffness_range.hpp"
 #include "checks/element_measures.hpp"
 #include "checks/region_measures.hpp"
 #include "checks/surface_measures.hpp"
+#include "materials/stiffness_range.hpp"
 #include "physics/body.hpp"
 
 #include <iosfwd>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cases/case_problem.hpp"
-#include "cases/stiffness_range.hpp"
+#include "materials/stiffness_range.hpp"
 
 #include <vector>
 

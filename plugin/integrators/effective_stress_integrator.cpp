@@ -6,6 +6,14 @@ namespace synovia
 
 using namespace mfem;
 
+const IntegrationRule &
+EffectiveStressIntegrator::Rule(const FiniteElement &el,
+                                const ElementTransformation &trans)
+{
+   return IntRules.Get(el.GetGeomType(),
+                       QuadratureOrder(el, trans, 2 * trans.OrderGrad(&el)));
+}
+
 void EffectiveStressIntegrator::AssembleElementMatrix(
    const FiniteElement &el, ElementTransformation &trans, DenseMatrix &elmat)
 {
@@ -13,11 +21,7 @@ void EffectiveStressIntegrator::AssembleElementMatrix(
    elmat.SetSize(3 * dofs);
    elmat = 0.0;
    const SolidLaw &law = *materials.Get(trans.Attribute).solid;
-   const IntegrationRule &rule =
-      IntRule
-         ? *IntRule
-         : IntRules.Get(el.GetGeomType(),
-                        QuadratureOrder(el, trans, 2 * trans.OrderGrad(&el)));
+   const IntegrationRule &rule = IntRule ? *IntRule : Rule(el, trans);
    const DofToQuad &maps = el.GetDofToQuad(rule, DofToQuad::FULL);
    const int points = rule.GetNPoints();
    reference.SetSize(dofs, 3);

@@ -15,6 +15,11 @@ public:
    {
    }
 
+   /// Where it evaluates the laws unless another rule is set.
+   static const mfem::IntegrationRule &
+   Rule(const mfem::FiniteElement &el,
+        const mfem::ElementTransformation &trans);
+
    void AssembleElementMatrix(const mfem::FiniteElement &el,
                               mfem::ElementTransformation &trans,
                               mfem::DenseMatrix &elmat) override;

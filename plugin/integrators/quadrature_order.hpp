@@ -19,6 +19,18 @@ inline int QuadratureOrder(const mfem::FiniteElement &el,
              : order;
 }
 
+/// The rule of WithFewerPoints, or none where it leaves MFEM's.
+inline const mfem::IntegrationRule *
+RuleOfFewerPoints(const mfem::FiniteElement &el,
+                  const mfem::ElementTransformation &trans)
+{
+   constexpr int no_limit = std::numeric_limits<int>::max();
+   return el.Space() == mfem::FunctionSpace::Qk
+             ? &mfem::IntRules.Get(el.GetGeomType(),
+                                   QuadratureOrder(el, trans, no_limit))
+             : nullptr;
+}
+
 /// One of MFEM's integrators for H1 spaces, which takes more points than that.
 /// On hexahedra the divergence of a displacement times a constant is exact all
 /// the same, so that a uniform pressure deforms nothing.
@@ -49,12 +61,7 @@ private:
    void SetRule(const mfem::FiniteElement &el,
                 const mfem::ElementTransformation &trans)
    {
-      constexpr int no_limit = std::numeric_limits<int>::max();
-      this->SetIntRule(
-         el.Space() == mfem::FunctionSpace::Qk
-            ? &mfem::IntRules.Get(el.GetGeomType(),
-                                  QuadratureOrder(el, trans, no_limit))
-            : nullptr);
+      this->SetIntRule(RuleOfFewerPoints(el, trans));
    }
 };
 

@@ -1,6 +1,7 @@
 #include "physics/biphasic_problem.hpp"
 #include "general/error.hpp"
 #include "mesh/boundary_marker.hpp"
+#include "physics/law_checks.hpp"
 
 #include <algorithm>
 
@@ -155,7 +156,7 @@ void BiphasicProblem::SetNonlinearOptions(const NonlinearOptions &options)
    nonlinear = options;
 }
 
-void BiphasicProblem::VerifyMaterials() const
+void BiphasicProblem::VerifyMaterials()
 {
    std::string missing;
    for (const int attribute : mesh.Get().attributes)
@@ -179,14 +180,7 @@ void BiphasicProblem::VerifyMaterials() const
    {
       throw Error("no material is set for: " + missing);
    }
-   ParMesh &elements = mesh.Get();
-   std::string objection;
-   for (int i = 0; i < elements.GetNE() && objection.empty(); i++)
-   {
-      objection = materials.Get(elements.GetAttribute(i))
-                     .solid->Objection(*elements.GetElementTransformation(i));
-   }
-   ThrowIfAny(mesh.GetComm(), objection);
+   VerifyLaws(mesh, spaces, materials);
 }
 
 BiphasicOperator &BiphasicProblem::Operator()

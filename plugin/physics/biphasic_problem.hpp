@@ -81,9 +81,9 @@ public:
    BiphasicSpaces &Spaces() { return spaces; }
    const MaterialTable &Materials() const { return materials; }
 
-   /// Throws Error if a region has no material, or one that can't be evaluated
-   /// in one of its elements. Collective.
-   void VerifyMaterials() const;
+   /// Throws Error if a region has no material, or one whose laws can't be used
+   /// in one of its elements (see VerifyLaws()). Collective.
+   void VerifyMaterials();
 
    /// Assembled at the first call, after VerifyMaterials().
    BiphasicOperator &Operator();

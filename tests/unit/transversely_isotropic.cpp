@@ -2,7 +2,7 @@
 //
 // The paper's meniscus, constant by constant, in frames of both kinds.
 
-#include "cases/stiffness_range.hpp"
+#include "materials/stiffness_range.hpp"
 #include "support/boxes.hpp"
 #include "support/meniscus_fibres.hpp"
 #include "synovia.hpp"

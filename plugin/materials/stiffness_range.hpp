@@ -13,7 +13,11 @@ struct StiffnessRange
    mfem::real_t largest;
 };
 
-/// At the centre of an element.
+/// Of a stiffness as SolidLaw::GetStiffness() gives it; its entries must be
+/// finite.
+StiffnessRange RangeOfStiffness(mfem::DenseMatrix stiffness);
+
+/// The same at the centre of an element.
 StiffnessRange RangeOfStiffness(const SolidLaw &law,
                                 mfem::ElementTransformation &trans);
 

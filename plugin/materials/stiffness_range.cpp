@@ -1,4 +1,4 @@
-#include "cases/stiffness_range.hpp"
+#include "materials/stiffness_range.hpp"
 #include "general/symmetric_eigenvalues.hpp"
 
 #include <cmath>
@@ -13,14 +13,8 @@ namespace
 constexpr int size = 6;
 } // namespace
 
-StiffnessRange RangeOfStiffness(const SolidLaw &law,
-                                ElementTransformation &trans)
+StiffnessRange RangeOfStiffness(DenseMatrix stiffness)
 {
-   const IntegrationPoint &centre =
-      Geometries.GetCenter(trans.GetGeometryType());
-   trans.SetIntPoint(&centre);
-   DenseMatrix stiffness;
-   law.GetStiffness(trans, centre, stiffness);
    // With shear strains times sqrt(2) the tensors' product is the vectors'.
    for (int i = 0; i < size; i++)
    {
@@ -32,6 +26,17 @@ StiffnessRange RangeOfStiffness(const SolidLaw &law,
    }
    const Vector eigenvalues = SymmetricEigenvalues(stiffness);
    return {eigenvalues[0], eigenvalues[size - 1]};
+}
+
+StiffnessRange RangeOfStiffness(const SolidLaw &law,
+                                ElementTransformation &trans)
+{
+   const IntegrationPoint &centre =
+      Geometries.GetCenter(trans.GetGeometryType());
+   trans.SetIntPoint(&centre);
+   DenseMatrix stiffness;
+   law.GetStiffness(trans, centre, stiffness);
+   return RangeOfStiffness(stiffness);
 }
 
 } // namespace synovia
