@@ -24,9 +24,10 @@
 // its directions, and across it as much as keeps menisci in place that nothing
 // touches yet.
 //
-// Everything drains freely but for bone and where surfaces touch. The axis of
-// the medial frame is midway between the horns, the lateral one in the middle
-// of the meniscus.
+// Bone and the inner edges of the menisci are impermeable; everything else, the
+// ends of the horns too, drains freely where it doesn't touch. The axis of the
+// medial frame is midway between the horns, the lateral one in the middle of
+// the meniscus.
 //
 // meshes/knee_from_segmentation.py makes the mesh from an image,
 // meshes/knee_parametric.py an idealised one. miniapps/cases/knee.toml is the
@@ -200,8 +201,7 @@ void AddSide(const std::string &side, const Options &options, CaseFile &setup)
    setup.materials.push_back(MeniscalTissue(side, options.shear));
    setup.boundaries.push_back(Bone({Tibial(side) + "_bone"}, LoadCurve(0.0)));
    setup.boundaries.push_back(
-      Draining({Tibial(side) + "_rim", Meniscus(side) + "_periphery",
-                Meniscus(side) + "_inner"}));
+      Draining({Tibial(side) + "_rim", Meniscus(side) + "_periphery"}));
    for (const char *end : {"_horn_anterior", "_horn_posterior"})
    {
       setup.boundaries.push_back(Draining({Meniscus(side) + end}));

@@ -58,6 +58,7 @@ AROUND = 1.0                # what is shown around a meniscus' section, mm
 # Of the surfaces, this part may go beyond the colours.
 BEYOND = 0.002
 BESIDE = 0.75               # axes to scale, for labels, inches
+NOTE = 0.3                  # height of the note below the sheet, inches
 TISSUES = {"femoral_cartilage": "femoral cartilage", "meniscus": "meniscus",
            "tibial_cartilage": "tibial cartilage"}
 PRESSURE = "fluid pressure $p$ (MPa)"
@@ -412,13 +413,27 @@ def draw(knee: Knee, folder: pathlib.Path) -> None:
     knee_film.write(knee, folder / "knee.gif")
 
 
+def strain_note(knee: Knee) -> str:
+    """What the strains mean for the pictures; empty where they are small."""
+    strains = knee.strains()
+    if strains is None or abs(strains[0]) <= knee_run.LARGE_STRAIN:
+        return ""
+    return ("Infinitesimal strain beyond its limits: the largest principal "
+            f"strain is {strains[0]:.2f}, the smallest det F {strains[1]:.2f}. "
+            "Shapes, pressures and stresses of the menisci are estimates.")
+
+
 def draw_sheet(knee: Knee, file: pathlib.Path) -> None:
     heights = [max(sum(PANELS[name].height(knee, width) for name in column)
                    for column, width in row) for row in SHEET]
+    note = strain_note(knee)
+    heights += [NOTE] if note else []
     figure = plt.figure(figsize=(sum(width for _, width in SHEET[0]),
                                  sum(heights)))
     letters = iter("abcdefgh")
-    rows = figure.subfigures(len(SHEET), 1, height_ratios=heights)
+    rows = figure.subfigures(len(heights), 1, height_ratios=heights)
+    if note:
+        rows[-1].text(0.01, 0.5, note, va="center", fontsize=9)
     for place, row in zip(rows, SHEET):
         columns = place.subfigures(1, len(row), squeeze=False,
                                    width_ratios=[width for _, width in row])
@@ -456,8 +471,12 @@ def findings(knee: Knee) -> str:
         p, stress = (cut.meniscus["fluid_pressure"],
                      cut.meniscus["total_stress"][:, 2])
         lines.append(f"slice of the {side} meniscus, y = {cut.at:.4g} mm: "
-                     f"pressure {p.min():.4g} to {p.max():.4g} MPa, sigma_zz "
+                     f"pressure {p.min():.4g} to {p.max():.4g} MPa, the peak "
+                     f"at {100 * cut.share_of_width(p.argmax()):.0f} % of the "
+                     f"width from the inner edge, sigma_zz "
                      f"{stress.min():.4g} to {stress.max():.4g} MPa")
+    if strain_note(knee):
+        lines.append(strain_note(knee))
     return "\n".join(lines)
 
 

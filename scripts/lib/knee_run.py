@@ -19,6 +19,7 @@ from synovia_output import Output, OutputError
 
 LOADED = 100.0          # the end of the displacement, s
 NEAR_ENOUGH = 5.0       # fields may be off by this, s
+LARGE_STRAIN = 0.1      # for which infinitesimal strain is not meant
 SIDES = ("medial", "lateral")
 KINDS = ("femur-tibia", "meniscus-femur", "tibia-meniscus")
 PAIRS = tuple(f"{kind}-{side}" for kind in KINDS for side in SIDES)
@@ -36,6 +37,12 @@ class Slice:
     at: float
     meniscus: object
     others: list
+    outwards: float         # the sign of x from the knee's middle to the side
+
+    def share_of_width(self, point: int) -> float:
+        """Where a point of the meniscus is: 0 at its inner edge, 1 outside."""
+        x = self.outwards * self.meniscus.points[:, 0]
+        return (x[point] - x.min()) / np.ptp(x)
 
 
 class Knee:
@@ -159,7 +166,7 @@ class Knee:
         part = section.cut([meniscus], normal=1, at=at)[0]
         others = [section.cut([self.bodies[name]], normal=1, at=at)[0]
                   for name in (FEMUR, f"tibial_cartilage_{side}")]
-        return Slice(at, outermost(part, outwards), others)
+        return Slice(at, outermost(part, outwards), others, outwards)
 
     def middle_x(self) -> float:
         """Between the menisci."""
@@ -182,6 +189,15 @@ class Knee:
         some = force > 0.01 * force.max()
         return np.divide(100 * part, force, out=np.full(force.shape, np.nan),
                          where=some)
+
+    def strains(self) -> tuple[float, float] | None:
+        """The largest principal strain and the smallest det F of the pictures'
+        time, where they were recorded."""
+        columns = ("strain.max_principal", "strain.min_det_F")
+        if any(column not in self.history for column in columns):
+            return None
+        i = int(np.argmin(np.abs(self.history["t"] - self.time)))
+        return tuple(float(self.history[column][i]) for column in columns)
 
     def peak_pressures(self) -> dict[str, np.ndarray] | None:
         """Of the fluid in each pair's contact, where that was recorded."""

@@ -4,12 +4,15 @@
 Requirements: the program and the case file are the same problem; the femur
 touches the menisci first and the tibial cartilages later; all six pairs bear
 load; forces, moments and fluid balance; pressures agree across the contact; the
-horns sink, and hardly move otherwise; the load relaxes when the femur rests.
+horns sink, and hardly move otherwise; the load relaxes when the femur rests; the
+pressure is highest in the inner third of the medial and the inner two thirds of
+the lateral meniscus, whose inner edges are sealed.
 """
 
 from __future__ import annotations
 
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -93,6 +96,16 @@ def check_supports(rows: list[dict[str, float]]) -> None:
           f"the load relaxes from {at_rest[0]:.1f} to {at_rest[-1]:.1f} N")
 
 
+def check_peaks(findings: str) -> None:
+    for side, most in (("medial", 33), ("lateral", 67)):
+        found = re.search(rf"slice of the {side} meniscus, .* the peak at "
+                          r"(\d+) % of the width from the inner edge", findings)
+        check(found is not None, f"the pictures' {side} slice has a peak")
+        check(int(found[1]) <= most,
+              f"the pressure of the {side} meniscus is highest at {found[1]} % "
+              "of its width from the inner edge")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
@@ -121,8 +134,9 @@ def main() -> None:
         check(same["t"] == rows[1]["t"] and difference < 1e-6,
               f"the case file gives the same to {difference:.1e}")
 
-        run_program(sys.executable, SOURCE / "scripts" / "plot_knee.py",
-                    directory / "program", "-o", directory / "pictures")
+        check_peaks(run_program(
+            sys.executable, SOURCE / "scripts" / "plot_knee.py",
+            directory / "program", "-o", directory / "pictures"))
         for picture in ("knee.png", "knee.gif"):
             size = (directory / "pictures" / picture).stat().st_size
             check(size > 20000, f"{picture} has {size} bytes")

@@ -173,7 +173,8 @@ class PlotKnee(unittest.TestCase):
                       "menisci 70.0 %; contact area 340 mm^2, peak pressure "
                       "1.2 MPa",
                       "slice of the medial meniscus, y = 3 mm: pressure 0.4 "
-                      "to 1 MPa, sigma_zz 0 to 0.02 MPa",
+                      "to 1 MPa, the peak at 100 % of the width from the "
+                      "inner edge, sigma_zz 0 to 0.02 MPa",
                       "slice of the lateral meniscus, y = 1 mm: pressure 0.4"):
             self.assertIn(words, said)
         self.assertNotIn("yet", said)
@@ -264,6 +265,18 @@ class PlotKnee(unittest.TestCase):
         drawn = [line.get_ydata()[-1] for line in figure.axes[0].lines
                  if len(line.get_ydata()) == len(t) + 1]
         np.testing.assert_allclose(drawn, 6 * [1.5] + [1.2])
+
+    def test_strains_beyond_the_theory_are_noted(self):
+        self.assertEqual(plot_knee.strain_note(self.knee()), "")
+        folder = self.copy()
+        for strain, noted in ((-0.08, False), (-0.3, True)):
+            write_history(folder, **{
+                "strain.max_principal": np.array([0.01, strain, 2 * strain]),
+                "strain.min_det_F": np.array([1.0, 0.75, 0.4])})
+            said = plot_knee.findings(Knee(Output(folder)))
+            self.assertEqual("the largest principal strain is -0.30, the "
+                             "smallest det F 0.75." in said, noted)
+            self.assertEqual("Infinitesimal strain" in said, noted)
 
     def test_a_run_that_stopped_early_is_drawn_as_far_as_it_came(self):
         folder = self.place / "early"
