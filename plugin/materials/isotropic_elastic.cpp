@@ -1,28 +1,9 @@
 #include "materials/isotropic_elastic.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
 
 namespace synovia
 {
 
 using namespace mfem;
-
-IsotropicElastic::IsotropicElastic(real_t young, real_t poisson)
-{
-   if (!(young > 0.0))
-   {
-      throw Error("Young's modulus is " + ToText(young) +
-                  "; it must be positive");
-   }
-   if (!(poisson > -1.0 && poisson < 0.5))
-   {
-      throw Error("Poisson's ratio is " + ToText(poisson) +
-                  "; it is that of the drained solid and must lie between -1 "
-                  "and 0.5");
-   }
-   lambda = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-   mu = young / (2.0 * (1.0 + poisson));
-}
 
 void IsotropicElastic::GetStiffness(ElementTransformation &,
                                     const IntegrationPoint &,
@@ -34,10 +15,10 @@ void IsotropicElastic::GetStiffness(ElementTransformation &,
    {
       for (int j = 0; j < 3; j++)
       {
-         stiffness(i, j) = lambda;
+         stiffness(i, j) = moduli.lambda;
       }
-      stiffness(i, i) += 2.0 * mu;
-      stiffness(i + 3, i + 3) = mu;
+      stiffness(i, i) += 2.0 * moduli.mu;
+      stiffness(i + 3, i + 3) = moduli.mu;
    }
 }
 

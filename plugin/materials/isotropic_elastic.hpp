@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/lame_moduli.hpp"
 #include "materials/solid_law.hpp"
 
 namespace synovia
@@ -11,17 +12,19 @@ class IsotropicElastic : public SolidLaw
 public:
    /// Young's modulus @a young > 0 (stress) and Poisson's ratio
    /// -1 < @a poisson < 0.5 of the drained solid. Throws Error otherwise.
-   IsotropicElastic(mfem::real_t young, mfem::real_t poisson);
+   IsotropicElastic(mfem::real_t young, mfem::real_t poisson)
+      : moduli(young, poisson)
+   {
+   }
 
    void GetStiffness(mfem::ElementTransformation &trans,
                      const mfem::IntegrationPoint &ip,
                      mfem::DenseMatrix &stiffness) const override;
-   mfem::real_t AggregateModulus() const override { return lambda + 2.0 * mu; }
-   mfem::real_t ShearModulus() const override { return mu; }
+   mfem::real_t AggregateModulus() const override { return moduli.Aggregate(); }
+   mfem::real_t ShearModulus() const override { return moduli.mu; }
 
 private:
-   mfem::real_t lambda;
-   mfem::real_t mu;
+   LameModuli moduli;
 };
 
 } // namespace synovia

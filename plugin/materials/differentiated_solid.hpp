@@ -1,0 +1,52 @@
+#pragma once
+
+#include "materials/hyperelastic_law.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+/// A hyperelastic law whose tangent is found by dual numbers.
+///
+/// @a Own writes nothing but
+///
+///     template <typename T>
+///     bool Stress(const MaterialPoint &point, const Tensor3<T> &F,
+///                 Tensor3<T> &P) const;
+///
+/// with +, -, *, /, sqrt, exp, log and pow on the components of F.
+template <typename Own>
+class DifferentiatedSolid : public HyperelasticLaw
+{
+public:
+   bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
+                  Tensor3<> &stress, Tangent3 *tangent) const override
+   {
+      const Own &law = static_cast<const Own &>(*this);
+      if (!tangent)
+      {
+         return law.Stress(point, F, stress) && IsFinite(stress);
+      }
+      Tensor3<Dual9> differentiated;
+      if (!law.Stress(point, Independent(F), differentiated))
+      {
+         return false;
+      }
+      Separate(differentiated, stress, *tangent);
+      return IsFinite(stress);
+   }
+
+private:
+   static bool IsFinite(const Tensor3<> &stress)
+   {
+      bool finite = true;
+      for (int k = 0; k < 9; k++)
+      {
+         finite = finite && std::isfinite(stress[k / 3][k % 3]);
+      }
+      return finite;
+   }
+};
+
+} // namespace synovia

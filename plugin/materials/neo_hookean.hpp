@@ -1,0 +1,38 @@
+#pragma once
+
+#include "materials/differentiated_solid.hpp"
+#include "materials/lame_moduli.hpp"
+
+namespace synovia
+{
+
+/// Psi = mu ((I_1 - 3)/2 - ln J) + lambda/2 (ln J)^2 (Bonet & Wood, Nonlinear
+/// Continuum Mechanics for Finite Element Analysis, 1997).
+class NeoHookean : public DifferentiatedSolid<NeoHookean>
+{
+public:
+   /// Young's modulus @a young > 0 (stress) and Poisson's ratio
+   /// -1 < @a poisson < 0.5 of small strains. Throws Error otherwise.
+   NeoHookean(mfem::real_t young, mfem::real_t poisson) : moduli(young, poisson)
+   {
+   }
+
+   template <typename T>
+   bool Stress(const MaterialPoint &, const Tensor3<T> &F, Tensor3<T> &P) const
+   {
+      using std::log;
+      const Tensor3<T> cofactor = Cofactor(F);
+      const T J = Determinant(F, cofactor);
+      const T along_inverse = (moduli.lambda * log(J) - moduli.mu) / J;
+      P = moduli.mu * F + along_inverse * cofactor;
+      return true;
+   }
+
+   mfem::real_t AggregateModulus() const override { return moduli.Aggregate(); }
+   mfem::real_t ShearModulus() const override { return moduli.mu; }
+
+private:
+   LameModuli moduli;
+};
+
+} // namespace synovia

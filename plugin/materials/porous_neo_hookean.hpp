@@ -1,0 +1,54 @@
+#pragma once
+
+#include "materials/differentiated_solid.hpp"
+
+namespace synovia
+{
+
+/// A neo-Hookean solid whose stress grows without bound as its pores close:
+///
+///     Psi = mu/2 (I_1 (Jp / J)^(2/3) - 3) - mu ln Jp,
+///     Jp = (J - phi_0) / (1 - phi_0), mu = E/3 (1 + (1 - phi_0)^2 / 2).
+///
+/// It has no value where J <= phi_0. Good in large compression.
+class PorousNeoHookean : public DifferentiatedSolid<PorousNeoHookean>
+{
+public:
+   /// Young's modulus @a young > 0 of small strains (stress), and the
+   /// referential solid fraction 0 < @a solid_fraction < 1, which ought to be
+   /// the material's. Throws Error otherwise.
+   PorousNeoHookean(mfem::real_t young, mfem::real_t solid_fraction);
+
+   template <typename T>
+   bool Stress(const MaterialPoint &, const Tensor3<T> &F, Tensor3<T> &P) const
+   {
+      using std::pow;
+      const mfem::real_t pores = 1.0 - solid_fraction;
+      const Tensor3<T> cofactor = Cofactor(F);
+      const T J = Determinant(F, cofactor);
+      if (!(J > solid_fraction))
+      {
+         return false;
+      }
+      const T pore_ratio = (J - solid_fraction) / pores;
+      const T I1 = Trace(TransposedProduct(F, F));
+      const T ratio = pore_ratio / J;
+      const T power = pow(ratio, 2.0 / 3.0);
+      // d ratio / dJ = phi_0 / ((1 - phi_0) J^2)
+      const T along_cofactor =
+         (mu / 3.0) * I1 * power / ratio * (solid_fraction / pores) / (J * J) -
+         mu / (pores * pore_ratio);
+      P = (mu * power) * F + along_cofactor * cofactor;
+      return true;
+   }
+
+   mfem::real_t AggregateModulus() const override { return aggregate; }
+   mfem::real_t ShearModulus() const override { return mu; }
+
+private:
+   mfem::real_t solid_fraction;
+   mfem::real_t mu;
+   mfem::real_t aggregate;
+};
+
+} // namespace synovia

@@ -1,0 +1,78 @@
+#include "materials/solid_mixture.hpp"
+#include "general/error.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+SolidMixture::SolidMixture(std::vector<const HyperelasticLaw *> parts_)
+   : parts(std::move(parts_))
+{
+   if (!(AggregateModulus() > 0.0 && ShearModulus() > 0.0))
+   {
+      throw Error("nothing in the mixture of solids resists compression and "
+                  "shear; add a ground matrix to the fibers");
+   }
+}
+
+bool SolidMixture::GetStress(const MaterialPoint &point, const Tensor3<> &F,
+                             Tensor3<> &stress, Tangent3 *tangent) const
+{
+   stress = Tensor3<>{};
+   if (tangent)
+   {
+      *tangent = Tangent3{};
+   }
+   Tensor3<> part_stress;
+   Tangent3 part_tangent;
+   for (const HyperelasticLaw *part : parts)
+   {
+      if (!part->GetStress(point, F, part_stress,
+                           tangent ? &part_tangent : nullptr))
+      {
+         return false;
+      }
+      stress += part_stress;
+      if (tangent)
+      {
+         *tangent += part_tangent;
+      }
+   }
+   return true;
+}
+
+std::string SolidMixture::Objection(ElementTransformation &trans) const
+{
+   std::string objection;
+   for (const HyperelasticLaw *part : parts)
+   {
+      if (objection.empty())
+      {
+         objection = part->Objection(trans);
+      }
+   }
+   return objection;
+}
+
+real_t SolidMixture::AggregateModulus() const
+{
+   real_t sum = 0.0;
+   for (const HyperelasticLaw *part : parts)
+   {
+      sum += part->AggregateModulus();
+   }
+   return sum;
+}
+
+real_t SolidMixture::ShearModulus() const
+{
+   real_t sum = 0.0;
+   for (const HyperelasticLaw *part : parts)
+   {
+      sum += part->ShearModulus();
+   }
+   return sum;
+}
+
+} // namespace synovia
