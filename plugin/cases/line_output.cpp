@@ -31,7 +31,8 @@ void LineOutput::Write(const std::vector<size_t> &which, TimeStepper &stepper)
    if (!stress)
    {
       stress = std::make_unique<StressRecovery>(problem.Spaces().Displacement(),
-                                                problem.Materials());
+                                                problem.Materials(),
+                                                problem.GetDeformation());
    }
    stress->Update(stepper.Displacement(), stepper.Pressure());
    for (const size_t i : which)

@@ -5,25 +5,34 @@
 namespace synovia
 {
 
-void ThrowIfAny(MPI_Comm comm, const std::string &local_message)
+std::string AgreeOnText(MPI_Comm comm, const std::string &local_text)
 {
    int rank = 0;
    int size = 1;
    MPI_Comm_rank(comm, &rank);
    MPI_Comm_size(comm, &size);
-   const int mine = local_message.empty() ? size : rank;
+   const int mine = local_text.empty() ? size : rank;
    int first = size;
    MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, comm);
    if (first == size)
    {
-      return;
+      return "";
    }
-   int length = static_cast<int>(local_message.size());
+   int length = static_cast<int>(local_text.size());
    MPI_Bcast(&length, 1, MPI_INT, first, comm);
-   std::string message = local_message;
-   message.resize(length);
-   MPI_Bcast(message.data(), length, MPI_CHAR, first, comm);
-   throw Error(message);
+   std::string text = local_text;
+   text.resize(length);
+   MPI_Bcast(text.data(), length, MPI_CHAR, first, comm);
+   return text;
+}
+
+void ThrowIfAny(MPI_Comm comm, const std::string &local_message)
+{
+   const std::string message = AgreeOnText(comm, local_message);
+   if (!message.empty())
+   {
+      throw Error(message);
+   }
 }
 
 int RunMain(const std::string &program, int (*body)(int, char **), int argc,

@@ -18,6 +18,10 @@ public:
    using std::runtime_error::runtime_error;
 };
 
+/// Collective over @a comm. The text of the lowest rank whose own is not empty,
+/// on every rank; empty if there is none.
+std::string AgreeOnText(MPI_Comm comm, const std::string &local_text);
+
 /// Collective over @a comm. Throws Error on every rank, with the text of the
 /// lowest rank that has one, if @a local_message is not empty on any rank.
 void ThrowIfAny(MPI_Comm comm, const std::string &local_message);

@@ -20,7 +20,14 @@ void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
    {
       pair->AddForces(loads, exchange);
    }
-   bodies->Mult(stage, momentum, mass);
+   if (stage.from_start)
+   {
+      bodies->MultFromStart(stage, momentum, mass);
+   }
+   else
+   {
+      bodies->Mult(stage, momentum, mass);
+   }
    momentum -= loads;
    mass.Add(stage.dt, exchange);
    mass.Add(-stage.dt, stage.mass_load);
@@ -56,6 +63,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
 
    // What the step would leave unbalanced if nothing moved but the supports.
    Stage still(stage);
+   still.from_start = true;
    still.u = stage.u0;
    still.p = stage.p0;
    conditions.SetDisplacement(stage.time, still.u);

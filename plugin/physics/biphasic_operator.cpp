@@ -1,7 +1,6 @@
 #include "physics/biphasic_operator.hpp"
 #include "general/reduce.hpp"
 #include "general/text.hpp"
-#include "physics/linear_body_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,31 +27,30 @@ private:
 };
 
 std::unique_ptr<BodyForm>
-AssembleTimed(real_t &counter, BiphasicSpaces &spaces,
-              const MaterialTable &materials,
-              const std::vector<SpringFoundation> &springs)
+MakeTimed(real_t &counter,
+          const std::function<std::unique_ptr<BodyForm>()> &make_bodies)
 {
    const PhaseTimer timer(counter);
-   return std::make_unique<LinearBodyForm>(spaces, materials, springs);
+   return make_bodies();
 }
 } // namespace
 
-BiphasicOperator::BiphasicOperator(BiphasicSpaces &spaces_,
-                                   const std::vector<Body> &body_list,
-                                   const MaterialTable &materials,
-                                   BoundaryConditions &conditions_,
-                                   std::vector<ContactPair *> pairs_,
-                                   const NonlinearOptions &options_)
-   : TimeDependentOperator(spaces_.Offsets().Last(), 0.0, IMPLICIT),
-     spaces(spaces_), conditions(conditions_), pairs(std::move(pairs_)),
+BiphasicOperator::BiphasicOperator(
+   BiphasicSpaces &spaces_, const std::vector<Body> &body_list,
+   const std::function<std::unique_ptr<BodyForm>()> &make_bodies,
+   BoundaryConditions &conditions_, std::vector<ContactPair *> pairs_,
+   const NonlinearOptions &options_)
+   : TimeDependentOperator(0, 0.0, IMPLICIT), spaces(spaces_),
+     conditions(conditions_), pairs(std::move(pairs_)),
      const_pairs(pairs.begin(), pairs.end()), options(options_),
-     bodies(
-        AssembleTimed(times.assembly, spaces, materials, conditions.Springs())),
+     bodies(MakeTimed(times.assembly, make_bodies)),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
      freedoms(body_list, spaces, conditions),
      start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
-     rate(height), support(spaces.Offsets()[1])
+     support(spaces.Offsets()[1])
 {
+   height = width = spaces.Offsets().Last() + bodies->ConservedSize();
+   rate.SetSize(height);
    rate = 0.0;
    support = 0.0;
    work.assemblies++;
@@ -119,6 +117,11 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    {
       stage.p0[i] = start[nu + i];
    }
+   stage.conserved0.SetSize(bodies->ConservedSize());
+   for (int i = 0; i < stage.conserved0.Size(); i++)
+   {
+      stage.conserved0[i] = start[nu + np + i];
+   }
    SolveStage(stage);
    for (const Vector *values : {&stage.u, &stage.u0, &stage.p, &stage.p0})
    {
@@ -132,6 +135,12 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    for (int i = 0; i < np; i++)
    {
       slope[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
+   }
+   Vector conserved;
+   bodies->GetConserved(stage.u, conserved);
+   for (int i = 0; i < conserved.Size(); i++)
+   {
+      slope[nu + np + i] = (conserved[i] - stage.conserved0[i]) / dt;
    }
    rate = k;
    rate_dt = dt;
@@ -357,6 +366,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
    const Vector pressure_rate(rate, nu, stage.p.Size());
    bodies->StartStage(stage, pressure_rate, rate_dt);
+   ChooseStart(stage);
    jacobian->SetTimeStep(stage.dt);
    for (ContactPair *pair : pairs)
    {
@@ -447,6 +457,12 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
    {
       ComputeResidual(stage, residual);
       real_t norm = linear->Norm(residual, tolerance);
+      if (norm <= 1.0 && stage.from_start)
+      {
+         stage.from_start = false;
+         ComputeResidual(stage, residual);
+         norm = linear->Norm(residual, tolerance);
+      }
       if (norm <= 1.0 && Tighten(stage, tolerance))
       {
          norm = linear->Norm(residual, tolerance);
@@ -459,11 +475,16 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       {
          return Fail("the residual is not a finite number");
       }
+      if (!stage.from_start)
+      {
+         Linearize(stage);
+      }
       // What decides the active set need not be exact; a settled set is
       // solved to the end.
       const real_t target =
-         pairs.empty() ? 1.0
-                       : std::max(1.0, options.active_set_tolerance * norm);
+         pairs.empty() && bodies->IsLinear()
+            ? 1.0
+            : std::max(1.0, options.active_set_tolerance * norm);
       StopWatch watch;
       watch.Start();
       const BiphasicLinearSolver::Result result =
@@ -488,8 +509,10 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
          return FailSolve("the linear solver did not converge in " +
                           std::to_string(result.iterations) + " iterations");
       }
-      stage.u += step.GetBlock(0);
-      stage.p += step.GetBlock(1);
+      if (!TakeStep(step, stage))
+      {
+         return false;
+      }
       UpdateContact(stage);
    }
    return Fail(unsettled.empty()
@@ -498,6 +521,49 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
                   : "the contact's active set did not settle in " +
                        std::to_string(options.max_newton) +
                        " iterations: " + unsettled);
+}
+
+void BiphasicOperator::ChooseStart(Stage &stage)
+{
+   const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
+   stage.from_start = no_guess || !bodies->Objection(stage).empty();
+   if (stage.from_start)
+   {
+      BodyStage start(stage);
+      start.u = stage.u0;
+      start.p = stage.p0;
+      Linearize(start);
+   }
+}
+
+void BiphasicOperator::Linearize(const BodyStage &stage)
+{
+   const PhaseTimer timer(times.assembly);
+   if (bodies->Linearize(stage))
+   {
+      work.assemblies++;
+      jacobian->BodiesChanged();
+      linear->BodiesChanged();
+   }
+}
+
+bool BiphasicOperator::TakeStep(const BlockVector &step, Stage &stage)
+{
+   constexpr real_t least_share = 1.0 / 16.0;
+   stage.u += step.GetBlock(0);
+   stage.p += step.GetBlock(1);
+   std::string objection = bodies->Objection(stage);
+   // From the stage's start the step and the supports' increments go together.
+   for (real_t share = 0.5;
+        !objection.empty() && !stage.from_start && share >= least_share;
+        share *= 0.5)
+   {
+      stage.u.Add(-share, step.GetBlock(0));
+      stage.p.Add(-share, step.GetBlock(1));
+      objection = bodies->Objection(stage);
+   }
+   stage.from_start = false;
+   return objection.empty() || Fail(objection);
 }
 
 bool BiphasicOperator::Escapes(const Vector &step)

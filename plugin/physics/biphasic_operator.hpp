@@ -7,6 +7,7 @@
 #include "physics/rigid_freedoms.hpp"
 #include "solvers/biphasic_linear_solver.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,15 +67,15 @@ struct PhaseTimes
 class BiphasicOperator : public mfem::TimeDependentOperator
 {
 public:
-   /// Assembles the bodies' matrices and lets bodies that a force moves
-   /// approach what they press on. Borrows all arguments but the bodies; their
-   /// boundary conditions must be complete. Collective. Throws Error where such
-   /// a body meets nothing.
-   BiphasicOperator(BiphasicSpaces &spaces, const std::vector<Body> &body_list,
-                    const MaterialTable &materials,
-                    BoundaryConditions &conditions,
-                    std::vector<ContactPair *> pairs,
-                    const NonlinearOptions &options);
+   /// Takes the bodies from @a make_bodies, whose time counts as assembly, and
+   /// lets those that a force moves approach what they press on. Borrows all
+   /// other arguments; the boundary conditions must be complete. Collective.
+   /// Throws Error where such a body meets nothing.
+   BiphasicOperator(
+      BiphasicSpaces &spaces, const std::vector<Body> &body_list,
+      const std::function<std::unique_ptr<BodyForm>()> &make_bodies,
+      BoundaryConditions &conditions, std::vector<ContactPair *> pairs,
+      const NonlinearOptions &options);
 
    void ImplicitSolve(const mfem::real_t dt, const mfem::Vector &x,
                       mfem::Vector &k) override;
@@ -129,10 +130,19 @@ private:
       mfem::real_t time = 0.0;
       mfem::Vector momentum_load;
       mfem::Vector mass_load;
+      /// Whether the residual is that of BodyForm::MultFromStart().
+      bool from_start = false;
    };
 
    bool SolveStage(Stage &stage);
    bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
+   /// Decides what the first iteration linearizes: the guess, or the stage's
+   /// start where the guess is none or impossible.
+   void ChooseStart(Stage &stage);
+   void Linearize(const BodyStage &stage);
+   /// Adds the Newton step, or as much of it as bodies can take; fails if that
+   /// is next to nothing.
+   bool TakeStep(const mfem::BlockVector &step, Stage &stage);
    void Search(const Stage &stage);
    bool UpdateContact(Stage &stage);
    /// Moves bodies that the contact has let go of, and that a force pushes,

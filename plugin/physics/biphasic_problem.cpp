@@ -2,6 +2,8 @@
 #include "general/error.hpp"
 #include "mesh/boundary_marker.hpp"
 #include "physics/law_checks.hpp"
+#include "physics/linear_body_form.hpp"
+#include "physics/total_lagrangian_form.hpp"
 
 #include <algorithm>
 
@@ -11,7 +13,8 @@ namespace synovia
 using namespace mfem;
 
 BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
-   : mesh(mesh_), spaces(mesh.Get(), options.order),
+   : mesh(mesh_), deformation(options.deformation),
+     spaces(mesh.Get(), options.order),
      conditions(std::make_unique<BoundaryConditions>(spaces))
 {
 }
@@ -19,6 +22,17 @@ BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
 void BiphasicProblem::VerifyOpen() const
 {
    MFEM_VERIFY(!op, "the problem has been assembled; set it up before");
+}
+
+void BiphasicProblem::VerifyUndeformedNormals(const std::string &boundary) const
+{
+   if (deformation == Deformation::finite)
+   {
+      throw Error("\"" + boundary +
+                  "\": loads along the normal would have to follow it in "
+                  "finite deformation, which they don't yet; give a traction "
+                  "by its components");
+   }
 }
 
 void BiphasicProblem::SetMaterial(const std::string &region,
@@ -81,6 +95,7 @@ void BiphasicProblem::AddNormalTraction(const std::string &boundary,
                                         const LoadCurve &value)
 {
    VerifyOpen();
+   VerifyUndeformedNormals(boundary);
    conditions->AddNormalTraction(mesh.Boundary(boundary), value);
 }
 
@@ -88,6 +103,7 @@ void BiphasicProblem::AddNormalFlux(const std::string &boundary,
                                     const LoadCurve &value)
 {
    VerifyOpen();
+   VerifyUndeformedNormals(boundary);
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
 }
 
@@ -183,6 +199,23 @@ void BiphasicProblem::VerifyMaterials()
    VerifyLaws(mesh, spaces, materials);
 }
 
+std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
+{
+   if (deformation == Deformation::infinitesimal)
+   {
+      return std::make_unique<LinearBodyForm>(spaces, materials,
+                                              conditions->Springs());
+   }
+   if (!pair_setups.empty())
+   {
+      throw Error(
+         "contact pairs in finite deformation are not there yet; leave "
+         "them out, or take infinitesimal deformation");
+   }
+   return std::make_unique<TotalLagrangianForm>(mesh, spaces, materials,
+                                                conditions->Springs());
+}
+
 BiphasicOperator &BiphasicProblem::Operator()
 {
    if (!op)
@@ -196,9 +229,9 @@ BiphasicOperator &BiphasicProblem::Operator()
             setup.options));
          borrowed.push_back(pairs.back().get());
       }
-      op = std::make_unique<BiphasicOperator>(spaces, FindBodies(mesh, spaces),
-                                              materials, *conditions, borrowed,
-                                              nonlinear);
+      op = std::make_unique<BiphasicOperator>(
+         spaces, FindBodies(mesh, spaces), [this] { return MakeBodies(); },
+         *conditions, borrowed, nonlinear);
    }
    return *op;
 }

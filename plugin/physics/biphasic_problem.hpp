@@ -2,6 +2,7 @@
 
 #include "mesh/named_mesh.hpp"
 #include "physics/biphasic_operator.hpp"
+#include "physics/deformation.hpp"
 
 #include <array>
 #include <memory>
@@ -16,6 +17,7 @@ struct SpaceOptions
 {
    /// Order of the displacement; 1 is stabilised equal order.
    int order = 2;
+   Deformation deformation = Deformation::infinitesimal;
 };
 
 /// A biphasic problem by names: bodies, materials, boundary conditions,
@@ -77,6 +79,7 @@ public:
    /// For conditions that have no name here, such as coefficients.
    BoundaryConditions &Conditions() { return *conditions; }
 
+   Deformation GetDeformation() const { return deformation; }
    NamedMesh &Mesh() { return mesh; }
    BiphasicSpaces &Spaces() { return spaces; }
    const MaterialTable &Materials() const { return materials; }
@@ -109,8 +112,11 @@ private:
    mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;
    Support &SupportOf(const std::string &boundary);
    void VerifyOpen() const;
+   void VerifyUndeformedNormals(const std::string &boundary) const;
+   std::unique_ptr<BodyForm> MakeBodies();
 
    NamedMesh &mesh;
+   Deformation deformation;
    BiphasicSpaces spaces;
    MaterialTable materials;
    std::unique_ptr<BoundaryConditions> conditions;

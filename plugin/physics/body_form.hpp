@@ -78,6 +78,9 @@ public:
    /// does.
    virtual std::string Objection(const BodyStage &stage) const = 0;
 
+   /// Whether Tangent() is the same in all states.
+   virtual bool IsLinear() const = 0;
+
    /// Brings Tangent() to the state of @a stage; says whether it changed.
    virtual bool Linearize(const BodyStage &stage) = 0;
 

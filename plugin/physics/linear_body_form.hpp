@@ -38,6 +38,7 @@ public:
                       const mfem::Vector &p, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;
    std::string Objection(const BodyStage &) const override { return ""; }
+   bool IsLinear() const override { return true; }
    bool Linearize(const BodyStage &) override { return false; }
    const VolumeMatrices &Tangent() const override { return matrices; }
 

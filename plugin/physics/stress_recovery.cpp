@@ -31,11 +31,37 @@ void CalcStrain(const DenseMatrix &gradient, Vector &strain)
    strain(4) = gradient(1, 2) + gradient(2, 1);
    strain(5) = gradient(0, 2) + gradient(2, 0);
 }
+
+/// P F^T / J
+void CalcCauchyStress(const HyperelasticLaw &law, const MaterialPoint &point,
+                      const DenseMatrix &gradient, Vector &stress)
+{
+   Tensor3<> F = IdentityTensor();
+   for (int i = 0; i < 3; i++)
+   {
+      for (int j = 0; j < 3; j++)
+      {
+         F[i][j] += gradient(i, j);
+      }
+   }
+   Tensor3<> P;
+   law.GetStress(point, F, P, nullptr);
+   const real_t J = Determinant(F, Cofactor(F));
+   constexpr int voigt[components][2] = {{0, 0}, {1, 1}, {2, 2},
+                                         {0, 1}, {1, 2}, {0, 2}};
+   for (int v = 0; v < components; v++)
+   {
+      const auto &row = P[voigt[v][0]];
+      const auto &line = F[voigt[v][1]];
+      stress(v) = (row[0] * line[0] + row[1] * line[1] + row[2] * line[2]) / J;
+   }
+}
 } // namespace
 
 StressRecovery::StressRecovery(ParFiniteElementSpace &displacement,
-                               const MaterialTable &materials_)
-   : materials(materials_),
+                               const MaterialTable &materials_,
+                               Deformation deformation_)
+   : materials(materials_), deformation(deformation_), strain(components),
      tensors(displacement.GetParMesh(), displacement.FEColl(), components),
      vectors(displacement.GetParMesh(), displacement.FEColl(), 3),
      effective(&tensors), total(&tensors), principal(&vectors),
@@ -107,16 +133,28 @@ void StressRecovery::Average(ParGridFunction &field) const
    }
 }
 
+void StressRecovery::GetStress(const SolidLaw &law, const MaterialPoint &point,
+                               const DenseMatrix &gradient, Vector &stress)
+{
+   if (deformation == Deformation::infinitesimal)
+   {
+      law.GetStiffness(point.trans, point.ip, stiffness);
+      CalcStrain(gradient, strain);
+      stiffness.Mult(strain, stress);
+      return;
+   }
+   CalcCauchyStress(dynamic_cast<const HyperelasticLaw &>(law), point, gradient,
+                    stress);
+}
+
 void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
 {
    effective = 0.0;
    total = 0.0;
    IsoparametricTransformation trans;
    DenseMatrix gradient;
-   DenseMatrix stiffness;
    DenseMatrix at_points;
    DenseMatrix at_nodes;
-   Vector strain(components);
    Vector stress(components);
    Array<int> dofs;
    const ParMesh &mesh = *tensors.GetParMesh();
@@ -133,9 +171,7 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
          const IntegrationPoint &ip = rule.IntPoint(q);
          trans.SetIntPoint(&ip);
          u.GetVectorGradient(trans, gradient);
-         law.GetStiffness(trans, ip, stiffness);
-         CalcStrain(gradient, strain);
-         stiffness.Mult(strain, stress);
+         GetStress(law, {trans, ip}, gradient, stress);
          at_points.SetRow(q, stress);
       }
       const int nodes = element.GetDof();

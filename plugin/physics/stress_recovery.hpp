@@ -1,6 +1,8 @@
 #pragma once
 
+#include "materials/hyperelastic_law.hpp"
 #include "materials/material_table.hpp"
+#include "physics/deformation.hpp"
 
 #include <map>
 
@@ -21,13 +23,14 @@ class StressRecovery
 public:
    /// Borrows both. @a displacement has three components on H1 elements.
    StressRecovery(mfem::ParFiniteElementSpace &displacement,
-                  const MaterialTable &materials);
+                  const MaterialTable &materials,
+                  Deformation deformation = Deformation::infinitesimal);
 
    /// Recovers the fields anew. @a u is in the displacement's space, @a p is a
    /// scalar field on the same mesh. Collective.
    void Update(const mfem::ParGridFunction &u, const mfem::ParGridFunction &p);
 
-   /// sigma_E = C eps(u).
+   /// sigma_E = C eps(u), or Cauchy's effective stress in finite deformation.
    mfem::ParGridFunction &Effective() { return effective; }
    /// sigma_T = sigma_E - p I.
    mfem::ParGridFunction &Total() { return total; }
@@ -48,7 +51,14 @@ private:
    /// Sums over elements, in @a field, into means over them, on all ranks.
    void Average(mfem::ParGridFunction &field) const;
 
+   /// Six components of the effective stress at a point.
+   void GetStress(const SolidLaw &law, const MaterialPoint &point,
+                  const mfem::DenseMatrix &gradient, mfem::Vector &stress);
+
    const MaterialTable &materials;
+   Deformation deformation;
+   mfem::DenseMatrix stiffness;
+   mfem::Vector strain;
    mfem::ParFiniteElementSpace tensors;
    mfem::ParFiniteElementSpace vectors;
    mfem::ParGridFunction effective;

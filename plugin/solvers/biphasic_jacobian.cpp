@@ -31,7 +31,7 @@ BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
                                    const Array<int> &u_dofs_,
                                    const ContactPairs &pairs_,
                                    const RigidSurfaces *rigid_)
-   : Operator(offsets_.Last()),
+   : Operator(offsets_.Last()), original(matrices_),
      reduced(rigid_
                 ? std::make_unique<VolumeMatrices>(rigid_->Reduce(matrices_))
                 : nullptr),
@@ -58,6 +58,16 @@ void BiphasicJacobian::SetTimeStep(real_t dt_)
    {
       flow.reset(Add(1.0, *flow, 1.0, *matrices.stabilisation));
    }
+}
+
+void BiphasicJacobian::BodiesChanged()
+{
+   if (rigid)
+   {
+      *reduced = rigid->Reduce(original);
+   }
+   flow.reset();
+   SetTimeStep(dt);
 }
 
 void BiphasicJacobian::ContactMoved()

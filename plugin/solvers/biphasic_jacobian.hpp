@@ -19,8 +19,10 @@ using ContactPairs = std::vector<const ContactPair *>;
 ///     [    -B       -(dt L + S + dt J^T W_p J)      ]
 ///
 /// with unit rows and columns for prescribed dofs. Symmetric and
-/// quasi-definite. K, B, L, S never change; contact acts through its factors,
-/// so that a change of the active set costs nothing here.
+/// quasi-definite, K, B, L, S constant for linear bodies; contact acts through
+/// its factors, so that a change of the active set costs nothing here. In
+/// finite deformation the matrices follow the state, and -B in the second row
+/// has the change of the flow with the deformation beside it.
 class BiphasicJacobian : public mfem::Operator
 {
 public:
@@ -33,6 +35,9 @@ public:
 
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    void ContactMoved();
+
+   /// The bodies' matrices are others. Collective.
+   void BodiesChanged();
 
    /// Collective.
    void SetTimeStep(mfem::real_t dt);
@@ -85,6 +90,7 @@ private:
                    const mfem::Vector &weights, mfem::real_t scale,
                    const mfem::Vector &x, mfem::Vector &y) const;
 
+   const VolumeMatrices &original;
    std::unique_ptr<VolumeMatrices> reduced;
    const VolumeMatrices &matrices;
    const mfem::Array<int> &offsets;

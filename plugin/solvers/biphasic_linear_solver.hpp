@@ -48,6 +48,9 @@ public:
    using mfem::Solver::Solver;
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    virtual void ContactMoved() = 0;
+   /// The bodies' matrices are others; what was made of them may go on serving.
+   /// Collective.
+   virtual void BodiesChanged() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
    /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
    /// of no use then. Collective.
@@ -91,6 +94,7 @@ public:
    ~BiphasicLinearSolver();
 
    void ContactMoved() { preconditioner->ContactMoved(); }
+   void BodiesChanged() { preconditioner->BodiesChanged(); }
 
    /// Norm of a residual in units of the tolerance: at most 1 is good enough.
    /// Collective.

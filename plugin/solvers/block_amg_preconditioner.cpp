@@ -139,10 +139,35 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
    const BiphasicJacobian &jacobian_, MPI_Comm comm_,
    const DirectOptions &options_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_), options(options_),
-     displacement(*jacobian_.Volume().stiffness, jacobian_.DisplacementDofs(),
-                  Overlap(jacobian_.Volume()), options_)
+     comm(comm_), options(options_), bodies(jacobian.Volume())
 {
+   TakeBodies();
+}
+
+void BlockAmgPreconditioner::BodiesChanged()
+{
+   bodies_changed = true;
+}
+
+bool BlockAmgPreconditioner::AreBodiesOutdated() const
+{
+   constexpr real_t slower = 1.5;
+   // Of which nothing can be said.
+   constexpr int few = 5;
+   return bodies_changed && last_iterations > few + slower * first_iterations;
+}
+
+void BlockAmgPreconditioner::TakeBodies()
+{
+   bodies = jacobian.Volume();
+   displacement = std::make_unique<FilteredAmg>(
+      *bodies.stiffness, jacobian.DisplacementDofs(), Overlap(bodies), options);
+   pressure.reset();
+   built = false;
+   moved = true;
+   bodies_changed = false;
+   first_iterations = 0;
+   last_iterations = 0;
 }
 
 void BlockAmgPreconditioner::ContactMoved()
@@ -152,6 +177,10 @@ void BlockAmgPreconditioner::ContactMoved()
 
 void BlockAmgPreconditioner::Update()
 {
+   if (AreBodiesOutdated())
+   {
+      TakeBodies();
+   }
    const bool gaps_changed =
       TakeWeights(jacobian.Pairs(), comm, gap_weights,
                   [](const ContactPair &pair) -> const Vector &
@@ -206,9 +235,9 @@ bool BlockAmgPreconditioner::IsOutdated() const
 void BlockAmgPreconditioner::BuildHierarchy()
 {
    soft_weights = SoftWeights();
-   displacement.ClearHierarchy();
-   displacement.SetHierarchy(jacobian.DisplacementBlock(soft_weights),
-                             ElasticityAmg(jacobian.Volume()));
+   displacement->ClearHierarchy();
+   displacement->SetHierarchy(jacobian.DisplacementBlock(soft_weights),
+                              ElasticityAmg(jacobian.Volume()));
    built = true;
    served = 0;
    work.setups++;
@@ -217,6 +246,11 @@ void BlockAmgPreconditioner::BuildHierarchy()
 bool BlockAmgPreconditioner::Report(int iterations, bool)
 {
    served += iterations;
+   last_iterations = iterations;
+   if (first_iterations == 0)
+   {
+      first_iterations = iterations;
+   }
    return false;
 }
 
@@ -228,11 +262,12 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    }
    if (moved)
    {
-      displacement.SetFactors(Gaps(jacobian));
+      displacement->SetFactors(Gaps(jacobian));
    }
    if (moved || gaps_changed)
    {
-      work.factorisations += displacement.SetWeights(gap_weights, soft_weights);
+      work.factorisations +=
+         displacement->SetWeights(gap_weights, soft_weights);
    }
 }
 
@@ -297,7 +332,7 @@ void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
    Vector y_u(y, 0, nu);
    Vector y_p(y, nu, np);
 
-   displacement.Mult(x_u, y_u);
+   displacement->Mult(x_u, y_u);
    u_free = y_u;
    u_free.SetSubVector(jacobian.DisplacementDofs(), 0.0);
    residual = x_p;

@@ -25,6 +25,7 @@ public:
                           const DirectOptions &options);
 
    void ContactMoved() override;
+   void BodiesChanged() override;
    void Update() override;
    bool Report(int iterations, bool converged) override;
    int Patience() const override { return std::numeric_limits<int>::max(); }
@@ -34,13 +35,22 @@ private:
    std::vector<mfem::Vector> SoftWeights() const;
    bool IsOutdated() const;
    void BuildHierarchy();
+   bool AreBodiesOutdated() const;
+   /// Starts over with the bodies as they are.
+   void TakeBodies();
    void UpdateDisplacement(bool gaps_changed);
    void UpdatePressure(bool jumps_changed);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    DirectOptions options;
-   FilteredAmg displacement;
+   /// The matrices that all was made of; shares them.
+   VolumeMatrices bodies;
+   bool bodies_changed = false;
+   /// Iterations of the first and the last solve with them.
+   int first_iterations = 0;
+   int last_iterations = 0;
+   std::unique_ptr<FilteredAmg> displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;
    /// What the displacement's hierarchy was built with, and the iterations

@@ -29,6 +29,8 @@ public:
    static mfem::real_t MostColumns(int renew_after);
 
    void ContactMoved() override;
+   /// Older factors serve as long as their iterations cost less than new ones.
+   void BodiesChanged() override {}
    void Update() override;
    bool Report(int iterations, bool converged) override;
    int Patience() const override;

@@ -219,7 +219,25 @@ int TimeStepper::StepsLeft() const
 void TimeStepper::Solve(real_t t, real_t dt, BlockVector &x)
 {
    recorder.Clear();
-   solver->Step(x, t, dt);
+   // The scheme treats what the bodies conserve as it does u and p.
+   Vector conserved;
+   op.Bodies().GetConserved(x.GetBlock(0), conserved);
+   if (conserved.Size() == 0)
+   {
+      solver->Step(x, t, dt);
+   }
+   else
+   {
+      ReadOnHost(x);
+      Vector whole(op.Height());
+      whole.SetVector(x, 0);
+      whole.SetVector(conserved, x.Size());
+      solver->Step(whole, t, dt);
+      for (int i = 0; i < x.Size(); i++)
+      {
+         x[i] = whole[i];
+      }
+   }
    x.SyncToBlocks();
 }
 

@@ -1,0 +1,309 @@
+// ranks: 1 2 3
+// timeout: 300
+//
+// Confined and unconfined compression in finite deformation against references
+// on which two other programs agree to seven digits. Units mm, N, s, MPa:
+// E = 0.5, nu = 0.1, permeability 4e-3, one law each with constant spatial
+// permeability and with that of Holmes & Mow (beta 0.5, M 2, alpha 2, solid
+// fraction 0.2).
+//
+// Confined: height 1, the drained top moves by -0.3 within 500 s, base and
+// sides are sealed and don't move along their normals. Unconfined: radius 1.5,
+// strain -0.2 within 500 s between frictionless sealed platens.
+
+#include "general/reduce.hpp"
+#include "materials/deforming_permeability.hpp"
+#include "materials/holmes_mow.hpp"
+#include "materials/neo_hookean.hpp"
+#include "support/boxes.hpp"
+#include "support/reference_table.hpp"
+#include "support/round_meshes.hpp"
+#include "synovia.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+constexpr real_t tolerance = 2e-3;
+const std::vector<real_t> times = {50.0,  100.0, 250.0, 500.0,
+                                   550.0, 700.0, 1000.0};
+
+struct Laws
+{
+   const NeoHookean neo_hookean{0.5, 0.1};
+   const SpatialPermeability constant{4.0e-3};
+   const HolmesMow holmes_mow{0.5, 0.1, 0.5};
+   const HolmesMowPermeability closing{4.0e-3, 2.0, 2.0, 0.2};
+
+   void SetTo(BiphasicProblem &problem, bool stiffening) const
+   {
+      if (stiffening)
+      {
+         problem.SetMaterial("body", holmes_mow, closing);
+      }
+      else
+      {
+         problem.SetMaterial("body", neo_hookean, constant);
+      }
+   }
+};
+
+SpaceOptions Finite(int order)
+{
+   SpaceOptions space;
+   space.order = order;
+   space.deformation = Deformation::finite;
+   return space;
+}
+
+TimeOptions Times(real_t step, TimeScheme scheme)
+{
+   TimeOptions options;
+   options.end = 1000.0;
+   options.step = step;
+   options.scheme = scheme;
+   return options;
+}
+
+// The largest value of a field's component among the vertices @a here.
+real_t LargestAt(const ParMesh &mesh, const ParGridFunction &field, int width,
+                 int component, const std::function<bool(const real_t *)> &here)
+{
+   real_t largest = -std::numeric_limits<real_t>::infinity();
+   for (int i = 0; i < mesh.GetNV(); i++)
+   {
+      real_t x[3];
+      const_cast<ParMesh &>(mesh).GetNode(i, x);
+      if (here(x))
+      {
+         largest = std::max(largest, field[width * i + component]);
+      }
+   }
+   return MaxOverRanks(largest, mesh.GetComm());
+}
+
+bool IsOneOf(const std::vector<real_t> &wanted, real_t t)
+{
+   return std::any_of(wanted.begin(), wanted.end(),
+                      [t](real_t when) { return std::abs(t - when) < 1e-9; });
+}
+
+// Marches a column of height 1; calls @a compare at the times above.
+void CompressColumn(const BoxOptions &box, int order, bool stiffening,
+                    const TimeOptions &options, int steps_compared)
+{
+   NamedMesh mesh = MakeBox(box);
+   const Laws laws;
+   BiphasicProblem problem(mesh, Finite(order));
+   laws.SetTo(problem, stiffening);
+   for (const char *side : {"x0", "x1"})
+   {
+      problem.PrescribeDisplacement(side, 0, 0.0);
+   }
+   for (const char *side : {"y0", "y1"})
+   {
+      problem.PrescribeDisplacement(side, 1, 0.0);
+   }
+   problem.PrescribeDisplacement("z0", 2, 0.0);
+   problem.PrescribeDisplacement("z1", 2, Ramp(500.0, -0.3));
+   problem.PrescribePressure("z1", 0.0);
+   TimeStepper stepper(problem, options);
+   const ReferenceTable reference(
+      stiffening ? "finite_confined_holmesmow.csv"
+                 : "finite_confined_neohookean_constant.csv");
+   int compared = 0;
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      CHECK(report.solve.newton <= 8 * report.solves);
+      const real_t t = stepper.Time();
+      if (!IsOneOf(times, t))
+      {
+         continue;
+      }
+      const real_t area = box.size_x * box.size_y;
+      const real_t stress =
+         problem.Reaction(problem.Supports().back())[2] / area;
+      const real_t middle =
+         LargestAt(mesh.Get(), stepper.Displacement(), 3, 2,
+                   [](const real_t *x) { return std::abs(x[2] - 0.5) < 1e-9; });
+      const real_t base =
+         LargestAt(mesh.Get(), stepper.Pressure(), 1, 0,
+                   [](const real_t *x) { return std::abs(x[2]) < 1e-9; });
+      CAPTURE(t, order, stiffening);
+      CHECK(stress ==
+            Approx(reference.Find({{"t", t}}, "stress")).epsilon(tolerance));
+      CHECK(middle ==
+            Approx(reference.Find({{"t", t}}, "u_mid")).epsilon(tolerance));
+      CHECK(base ==
+            Approx(reference.Find({{"t", t}}, "p_base"))
+               .epsilon(0.0)
+               .margin(tolerance * reference.Find({{"t", 500.0}}, "p_base")));
+      compared++;
+   }
+   CHECK(compared == steps_compared);
+}
+} // namespace
+
+TEST_CASE("Confined compression by 30 % meets the references, hexahedra of "
+          "order 2")
+{
+   BoxOptions box;
+   box.nz = 20;
+   box.size_x = box.size_y = 0.1;
+   CompressColumn(box, 2, GENERATE(false, true),
+                  Times(12.5, TimeScheme::sdirk33), 7);
+}
+
+TEST_CASE("Confined compression by 30 %, prisms, tetrahedra and order 1")
+{
+   BoxOptions box;
+   box.nz = 40;
+   box.size_x = box.size_y = 0.1;
+   box.type = GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON);
+   CompressColumn(box, 1, true, Times(6.25, TimeScheme::sdirk23), 7);
+}
+
+TEST_CASE("What flows out of a column is what its volume loses")
+{
+   BoxOptions box;
+   box.nz = 8;
+   box.type = GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON);
+   NamedMesh mesh = MakeBox(box);
+   const Laws laws;
+   BiphasicProblem problem(mesh, Finite(GENERATE(1, 2)));
+   laws.SetTo(problem, true);
+   for (const char *side : {"x0", "x1"})
+   {
+      problem.PrescribeDisplacement(side, 0, 0.0);
+   }
+   for (const char *side : {"y0", "y1"})
+   {
+      problem.PrescribeDisplacement(side, 1, 0.0);
+   }
+   problem.PrescribeDisplacement("z0", 2, 0.0);
+   problem.PrescribeDisplacement("z1", 2, Ramp(500.0, -0.3));
+   problem.PrescribePressure("z1", 0.0);
+   TimeStepper stepper(problem, Times(100.0, TimeScheme::backward_euler));
+   real_t drained = 0.0;
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      drained += report.dt * problem.Operator().Fluid().outflow;
+   }
+   CHECK(drained == Approx(0.3).epsilon(1e-9));
+}
+
+TEST_CASE("A step that would turn elements inside out fails and says where")
+{
+   BoxOptions box;
+   box.nz = 2;
+   NamedMesh mesh = MakeBox(box);
+   const Laws laws;
+   BiphasicProblem problem(mesh, Finite(1));
+   laws.SetTo(problem, false);
+   problem.FixDisplacement("z0");
+   problem.FixDisplacement("z1");
+   problem.PrescribeDisplacement("z1", 2, Ramp(1.0, -1.2));
+   problem.PrescribePressure("x0", 0.0);
+   TimeOptions options;
+   options.end = 1.0;
+   options.step = 1.0;
+   options.cut_back = false;
+   TimeStepper stepper(problem, options);
+   const StepReport report = stepper.Step();
+   CHECK_FALSE(report.converged);
+   CHECK_THAT(report.reason, Catch::Contains("inside out") &&
+                                Catch::Contains("\"body\"") &&
+                                Catch::Contains("det F = -"));
+}
+
+TEST_CASE("Finite deformation refuses what it can't do yet")
+{
+   BoxOptions box;
+   NamedMesh mesh = MakeBox(box);
+   const IsotropicElastic linear(0.5, 0.1);
+   const SpatialPermeability constant(4.0e-3);
+   BiphasicProblem problem(mesh, Finite(2));
+   problem.SetMaterial("body", linear, constant);
+   problem.FixDisplacement("z0");
+   CHECK_THROWS_WITH(problem.AddNormalTraction("z1", 1.0),
+                     Catch::Contains("give a traction by its components"));
+   CHECK_THROWS_WITH(problem.Operator(),
+                     Catch::Contains("the solid of \"body\" is a law of "
+                                     "infinitesimal strain"));
+}
+
+TEST_CASE("Unconfined compression by 20 % meets the references")
+{
+   const bool stiffening = GENERATE(false, true);
+   constexpr real_t radius = 1.5;
+   constexpr real_t height = 0.25;
+   RoundOptions disc;
+   disc.radius = radius;
+   disc.core = 2;
+   disc.shells = 3;
+   disc.grading = 1.5;
+   disc.order = 3;
+   disc.height = height;
+   NamedMesh mesh = MakeQuarterCylinder(disc);
+   const Laws laws;
+   BiphasicProblem problem(mesh, Finite(3));
+   laws.SetTo(problem, stiffening);
+   problem.PrescribeDisplacement("x0", 0, 0.0);
+   problem.PrescribeDisplacement("y0", 1, 0.0);
+   problem.PrescribeDisplacement("z0", 2, 0.0);
+   problem.PrescribePressure("side", 0.0);
+   problem.PrescribeDisplacement("z1", 2, Ramp(500.0, -0.2 * height));
+   TimeStepper stepper(problem, Times(25.0, TimeScheme::sdirk33));
+   const ReferenceTable reference(
+      stiffening ? "finite_unconfined_holmesmow.csv"
+                 : "finite_unconfined_neohookean_constant.csv");
+   int compared = 0;
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      const real_t t = stepper.Time();
+      if (!IsOneOf(times, t))
+      {
+         continue;
+      }
+      const real_t area = 0.25 * M_PI * radius * radius;
+      const real_t stress =
+         problem.Reaction(problem.Supports().back())[2] / area;
+      const real_t side = LargestAt(mesh.Get(), stepper.Displacement(), 3, 0,
+                                    [](const real_t *x) {
+                                       return std::abs(x[0] - radius) < 1e-9 &&
+                                              std::abs(x[1]) < 1e-9;
+                                    });
+      const real_t axis = LargestAt(mesh.Get(), stepper.Pressure(), 1, 0,
+                                    [](const real_t *x)
+                                    { return std::hypot(x[0], x[1]) < 1e-9; });
+      CAPTURE(t, stiffening);
+      CHECK(
+         stress ==
+         Approx(reference.Find({{"t", t}}, "mean_stress")).epsilon(tolerance));
+      CHECK(side ==
+            Approx(reference.Find({{"t", t}}, "u_r_side")).epsilon(tolerance));
+      CHECK(axis ==
+            Approx(reference.Find({{"t", t}}, "p_axis"))
+               .epsilon(0.0)
+               .margin(tolerance * reference.Find({{"t", 500.0}}, "p_axis")));
+      compared++;
+   }
+   CHECK(compared == 7);
+}
