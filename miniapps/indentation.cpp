@@ -26,7 +26,7 @@
 //   scripts/python meshes/indentation.py -o indentation.msh
 //   mpirun -np 2 indentation --mesh indentation.msh
 //   mpirun -np 2 indentation -m indentation.msh -out out/rigid -r -s sdirk33
-//   mpirun -np 2 indentation -m indentation.msh -out out/amg -ls block_amg
+//   mpirun -np 2 indentation -m indentation.msh -out out/direct -ls direct
 
 #include "general/option_range.hpp"
 #include "synovia.hpp"

@@ -15,6 +15,7 @@ import tomllib
 
 from commands import Block, DocumentationError, simple_commands
 
+CASES = pathlib.Path(__file__).resolve().parents[2] / "miniapps" / "cases"
 STEPS = 6       # of a run
 # End of the miniapps' runs (s); scripts/run without a case is the indentation.
 ENDS = {"indentation": 1500.0, "scripts/run": 1500.0}
@@ -34,7 +35,7 @@ SMALL = {
 # Of MFEM's parser, which takes an option only once.
 LONG_NAMES = {"-s": "--steps", "-n": "--size", "-dt": "--step"}
 AS_THEY_ARE = {
-    "cd", "cmake", "columns", "scripts/report", "scripts/setup",
+    "cd", "cmake", "columns", "cp", "scripts/report", "scripts/setup",
     "plot_glenohumeral.py", "plot_knee.py", "plot_knee_mesh.py"}
 # Commands that don't run here, to the letter, and why.
 NOT_RUN = {
@@ -97,7 +98,11 @@ class ShortCommand:
 
 def launchers(words: list[str]) -> int:
     """How many words come before the program."""
-    count = 3 if words[0] == "mpirun" else 0
+    count = 0
+    while re.match(r"\w+=", words[count]):
+        count += 1
+    if words[count] == "mpirun":
+        count += 3
     return count + words[count].endswith("scripts/python")
 
 
@@ -139,6 +144,8 @@ def options_for(program: str, arguments: list[str], folder: pathlib.Path
 
 def case_options(file: pathlib.Path, arguments: list[str],
                  makes_mesh: bool) -> list[tuple[str, str]]:
+    if not file.exists():   # a copy that isn't made yet
+        file = CASES / file.name
     case = tomllib.loads(file.read_text(encoding="utf-8"))
     settings = dict(word.split("=", 1) for option, word
                     in zip(arguments, arguments[1:]) if option == "--set")
