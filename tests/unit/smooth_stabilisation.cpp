@@ -29,9 +29,9 @@ BoxOptions Cubes(Element::Type type)
    return options;
 }
 
-struct Body
+struct LayerBody
 {
-   explicit Body(Element::Type type)
+   explicit LayerBody(Element::Type type)
       : mesh(MakeBox(Cubes(type))), solid(0.5, 0.2), permeability(4.0e-3),
         problem(mesh, FirstOrder())
    {
@@ -97,7 +97,7 @@ TEST_CASE("The smooth part tells a gradient from an oscillation")
    const auto type =
       GENERATE(Element::HEXAHEDRON, Element::WEDGE, Element::TETRAHEDRON);
    CAPTURE(static_cast<int>(type));
-   Body body(type);
+   LayerBody body(type);
 
    const auto linear =
       body.Measure([](const Vector &x) { return 1.0 + x[0] - 2.0 * x[2]; });
@@ -117,7 +117,7 @@ TEST_CASE("The smooth part tells a gradient from an oscillation")
 
 TEST_CASE("Of a curved pressure nearly all is smooth, and it scales")
 {
-   Body body(Element::HEXAHEDRON);
+   LayerBody body(Element::HEXAHEDRON);
    const auto field = [](const Vector &x) { return std::sin(0.5 * x[0]); };
    const auto curved = body.Measure(field);
    CHECK(curved[1] < 0.1 * curved[2]);
