@@ -258,7 +258,15 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    reading.ThrowIfAny();
 
    SetMaterials(setup);
-   problem.VerifyMaterials();
+   try
+   {
+      problem.VerifyMaterials();
+   }
+   catch (const Error &error) // on all ranks alike
+   {
+      reading.Complain("material", error.what());
+      reading.ThrowIfAny();
+   }
    for (const BoundaryCase &boundary : setup.boundaries)
    {
       SetBoundary(boundary);

@@ -10,8 +10,11 @@ namespace synovia
 inline mfem::Vector SumShared(const mfem::ParFiniteElementSpace &space,
                               const mfem::Vector &local)
 {
+   // The operator may take what it reads to a device; the caller goes on
+   // writing to his own on the host.
+   const mfem::Vector read(local);
    mfem::Vector result(space.GetTrueVSize());
-   space.GetProlongationMatrix()->MultTranspose(local, result);
+   space.GetProlongationMatrix()->MultTranspose(read, result);
    result.HostReadWrite();
    result.UseDevice(false);
    return result;
@@ -21,8 +24,9 @@ inline mfem::Vector SumShared(const mfem::ParFiniteElementSpace &space,
 inline mfem::Vector Share(const mfem::ParFiniteElementSpace &space,
                           const mfem::Vector &true_dofs)
 {
+   const mfem::Vector read(true_dofs);
    mfem::Vector result(space.GetVSize());
-   space.GetProlongationMatrix()->Mult(true_dofs, result);
+   space.GetProlongationMatrix()->Mult(read, result);
    result.HostReadWrite();
    result.UseDevice(false);
    return result;

@@ -285,9 +285,9 @@ class BadNumbers(Case):
                 ("--poisson", "0.5", ("Poisson's ratio is 0.5", "-1 and 0.5")),
                 ("--permeability", "0", ("permeability is 0",)),
                 ("--permeability", "-1", ("permeability is -1",)),
-                ("--step", "0", ("time step is 0",)),
-                ("--step", "-5", ("time step is -5",)),
-                ("--end", "0", ("end time is 0",)),
+                ("--step", "0", ("--step is 0",)),
+                ("--step", "-5", ("--step is -5",)),
+                ("--end", "0", ("--end is 0",)),
                 ("--order", "0", ("order of the displacement is 0",)),
                 ("--penalty-factor", "-1", ("penalty_factor is -1",))):
             with self.subTest(option=option, value=value):

