@@ -20,7 +20,7 @@ void Verify(bool good, const std::string &name, real_t value,
 }
 } // namespace
 
-SpatialPermeability::SpatialPermeability(real_t value_) : value(value_)
+DeformingPermeability::DeformingPermeability(real_t value_) : value(value_)
 {
    Verify(value > 0.0, "the permeability", value, "positive");
 }
@@ -28,9 +28,9 @@ SpatialPermeability::SpatialPermeability(real_t value_) : value(value_)
 HolmesMowPermeability::HolmesMowPermeability(real_t value_, real_t m_,
                                              real_t alpha_,
                                              real_t solid_fraction_)
-   : value(value_), m(m_), alpha(alpha_), solid_fraction(solid_fraction_)
+   : DifferentiatedPermeability(value_), m(m_), alpha(alpha_),
+     solid_fraction(solid_fraction_)
 {
-   Verify(value > 0.0, "the permeability", value, "positive");
    Verify(m >= 0.0, "M of a permeability", m, "0 or positive");
    Verify(alpha >= 0.0, "alpha of a permeability", alpha, "0 or positive");
    Verify(solid_fraction > 0.0 && solid_fraction < 1.0, "the solid fraction",

@@ -10,15 +10,29 @@ namespace synovia
 
 /// Permeability that follows finite deformation, as the referential tensor
 /// K = J F^-1 k F^-T of the spatial permeability k (length^4 / (force time)):
-/// the volume that flows through an undeformed area is -K grad_X p.
+/// the volume that flows through an undeformed area is -K grad_X p. Undeformed
+/// it is isotropic.
 class DeformingPermeability : public PermeabilityLaw
 {
 public:
+   /// @a value > 0 is that of the undeformed body. Throws Error otherwise.
+   explicit DeformingPermeability(mfem::real_t value);
+
+   mfem::real_t GetPermeability(mfem::ElementTransformation &,
+                                const mfem::IntegrationPoint &) const override
+   {
+      return value;
+   }
+   mfem::real_t Typical() const override { return value; }
+
    /// Sets K at @a point and, unless @a tangent is null, dK/dF. False where the
    /// law has no value, because the pores are closed.
    virtual bool GetReferential(const MaterialPoint &point, const Tensor3<> &F,
                                Tensor3<> &permeability,
                                Tangent3 *tangent) const = 0;
+
+protected:
+   mfem::real_t value;
 };
 
 /// A permeability law whose derivative is found by dual numbers. @a Own writes
@@ -30,6 +44,8 @@ template <typename Own>
 class DifferentiatedPermeability : public DeformingPermeability
 {
 public:
+   using DeformingPermeability::DeformingPermeability;
+
    bool GetReferential(const MaterialPoint &point, const Tensor3<> &F,
                        Tensor3<> &permeability,
                        Tangent3 *tangent) const override
@@ -54,8 +70,7 @@ class SpatialPermeability
    : public DifferentiatedPermeability<SpatialPermeability>
 {
 public:
-   /// @a value > 0. Throws Error otherwise.
-   explicit SpatialPermeability(mfem::real_t value);
+   using DifferentiatedPermeability::DifferentiatedPermeability;
 
    template <typename T>
    bool Referential(const MaterialPoint &, const Tensor3<T> &F,
@@ -66,16 +81,6 @@ public:
       K = (value / J) * TransposedProduct(cofactor, cofactor);
       return true;
    }
-
-   mfem::real_t GetPermeability(mfem::ElementTransformation &,
-                                const mfem::IntegrationPoint &) const override
-   {
-      return value;
-   }
-   mfem::real_t Typical() const override { return value; }
-
-private:
-   mfem::real_t value;
 };
 
 /// Holmes & Mow (J Biomech 23(11):1145-1156, 1990): k = value f(J) I,
@@ -110,15 +115,7 @@ public:
       return true;
    }
 
-   mfem::real_t GetPermeability(mfem::ElementTransformation &,
-                                const mfem::IntegrationPoint &) const override
-   {
-      return value;
-   }
-   mfem::real_t Typical() const override { return value; }
-
 private:
-   mfem::real_t value;
    mfem::real_t m;
    mfem::real_t alpha;
    mfem::real_t solid_fraction;
