@@ -165,7 +165,7 @@ TEST_CASE("Confined compression by 30 % meets the references, hexahedra of "
           "order 2")
 {
    BoxOptions box;
-   box.nz = 20;
+   box.nz = 40;
    box.size_x = box.size_y = 0.1;
    CompressColumn(box, 2, GENERATE(false, true),
                   Times(6.25, TimeScheme::sdirk33), reference_tolerance);
