@@ -208,7 +208,7 @@ TEST_CASE("What flows out of a column is what its volume loses")
 TEST_CASE("A step that would turn elements inside out fails and says where")
 {
    BoxOptions box;
-   box.nz = 2;
+   box.nz = 4;
    NamedMesh mesh = MakeBox(box);
    const Laws laws;
    BiphasicProblem problem(mesh, Finite(1));
