@@ -3,8 +3,6 @@
 #include "materials/differentiated_solid.hpp"
 #include "materials/material_frame.hpp"
 
-#include <memory>
-
 namespace synovia
 {
 

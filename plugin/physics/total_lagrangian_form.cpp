@@ -164,8 +164,7 @@ TotalLagrangianForm::TotalLagrangianForm(
      darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
      u(spaces.Displacement().GetVSize()), p(spaces.Pressure().GetVSize())
 {
-   initial_volumes.SetSize(element.AllPoints());
-   initial_volumes = 1.0;
+   points = element.AllPoints();
    if (matrices.stabilisation)
    {
       smooth_stabilisation =
@@ -193,7 +192,7 @@ void TotalLagrangianForm::GetConserved(const Vector &true_u,
    Vector no_pressure(spaces.Pressure().GetTrueVSize());
    no_pressure = 0.0;
    ToLocal(true_u, no_pressure);
-   conserved.SetSize(initial_volumes.Size());
+   conserved.SetSize(points);
    int at = 0;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {

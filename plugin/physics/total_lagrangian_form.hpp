@@ -31,7 +31,7 @@ public:
                        const MaterialTable &materials,
                        const std::vector<SpringFoundation> &springs);
 
-   int ConservedSize() const override { return initial_volumes.Size(); }
+   int ConservedSize() const override { return points; }
    void GetConserved(const mfem::Vector &u,
                      mfem::Vector &conserved) const override;
    void StartStage(const BodyStage &stage, const mfem::Vector &pressure_rate,
@@ -63,8 +63,8 @@ private:
    VolumeMatrices matrices;
    std::unique_ptr<SmoothStabilisation> smooth_stabilisation;
    mfem::Vector relief;
-   /// J = 1 at all points.
-   mfem::Vector initial_volumes;
+   /// Of all elements of this rank.
+   int points = 0;
    LocalMatrix stiffness;
    LocalMatrix coupling;
    LocalMatrix flow_change;
