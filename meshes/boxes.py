@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Meshes of the simple cases in miniapps/cases, in millimetres, z up.
+"""Meshes of the simple cases in miniapps/cases, in millimeters, z up.
 
     confined_compression      a column of cartilage, 0.2 x 0.2 x 0.75
         region   cartilage

@@ -16,8 +16,8 @@ def star_plane(outline: np.ndarray, size: float, order: int = 1) -> QuadMesh:
     is the length of the edges (mm).
     """
     low, high = outline.min(axis=0), outline.max(axis=0)
-    centre, half = 0.5 * (low + high), 0.5 * (high - low)
-    scaled = (outline - centre) / half
+    center, half = 0.5 * (low + high), 0.5 * (high - low)
+    scaled = (outline - center) / half
     angle = np.arctan2(scaled[:, 1], scaled[:, 0])
     turn = np.argsort(angle)
     across = 2 * float(np.sqrt(half[0] * half[1])) / size
@@ -27,7 +27,7 @@ def star_plane(outline: np.ndarray, size: float, order: int = 1) -> QuadMesh:
     points = mesh.points
     radius = np.interp(np.arctan2(points[:, 1], points[:, 0]), angle[turn],
                        np.hypot(*scaled[turn].T), period=2 * np.pi)
-    mesh.points = centre + half * points * radius[:, None]
+    mesh.points = center + half * points * radius[:, None]
     return relax(mesh, 10)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 
 def circle(points: np.ndarray) -> tuple[np.ndarray, float]:
-    """Centre and radius that fit points (n x 2) in the least-squares sense.
+    """Center and radius that fit points (n x 2) in the least-squares sense.
 
     It is the squared distances that are fitted, which makes it linear.
     """

@@ -38,13 +38,13 @@ def disc(radius: float, full: bool, size: Callable[[float], float]) -> Disc:
     """Triangles of the given size, which depends on the radius."""
     gmsh.model.add("disc")
     geo = gmsh.model.geo
-    centre = geo.addPoint(0, 0, 0)
+    center = geo.addPoint(0, 0, 0)
     quarters = 4 if full else 1
     rim = [geo.addPoint(radius * math.cos(k * math.pi / 2),
                         radius * math.sin(k * math.pi / 2), 0)
            for k in range(4 if full else 2)]
-    spokes = [geo.addLine(centre, point) for point in rim]
-    arcs = [geo.addCircleArc(rim[k], centre, rim[(k + 1) % len(rim)])
+    spokes = [geo.addLine(center, point) for point in rim]
+    arcs = [geo.addCircleArc(rim[k], center, rim[(k + 1) % len(rim)])
             for k in range(quarters)]
     for k in range(quarters):
         geo.addPlaneSurface([geo.addCurveLoop(
@@ -110,7 +110,7 @@ class _Nodes:
 
 
 def _tetrahedra(triangles: np.ndarray, n: int, layers: int) -> np.ndarray:
-    """Three to a prism; the smaller number leads, so that neighbours fit."""
+    """Three to a prism; the smaller number leads, so that neighbors fit."""
     lowest = np.argmin(triangles, axis=1)
     turned = np.take_along_axis(
         triangles, (lowest[:, None] + np.arange(3)) % 3, axis=1)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mesh of an idealised glenohumeral joint: two layers of cartilage on bone.
 
-Guo and Spilker 2014, section 3.2. In millimetres, the axis is z, the layers
+Guo and Spilker 2014, section 3.2. In millimeters, the axis is z, the layers
 touch at (0, 0, t); a quarter, x >= 0 and y >= 0, unless --full:
 
       .  humeral_bone      .        regions    glenoid, humeral
@@ -17,7 +17,7 @@ touch at (0, 0, t); a quarter, x >= 0 and y >= 0, unless --full:
 Glenoid: its contact side is part of a sphere of radius 26, its bone side of one
 of 34.5, it is 1.5 thick on the axis and has a rim of radius 11.5, where it is
 2.2 thick. Humeral head: both sides are parts of spheres of radius 23.5 with
-their centres 1.5 apart along the axis, rim radius 19.1, so that it thins to 0.9.
+their centers 1.5 apart along the axis, rim radius 19.1, so that it thins to 0.9.
 
 All elements are of second order with their nodes on the spheres: the facets of
 straight ones would overlap by h^2/(8 R), more than the first gaps. They are

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mesh of two blocks with round faces that touch: Hertz's contact.
 
-A quarter, x >= 0 and y >= 0, in millimetres, z up. The faces in contact are
+A quarter, x >= 0 and y >= 0, in millimeters, z up. The faces in contact are
 the paraboloids z = -r^2/(2 R) and z = r^2/(2 R'), which touch at the origin.
 Hexahedra of second order, uniform as far as the contact is expected to reach
 and growing from there.

@@ -70,8 +70,8 @@ def scaled_jacobian(body: Body) -> np.ndarray:
     """The smallest of each element's corners, from them alone: 1 for a cube."""
     x = hexahedra_of(body)
     worst = np.full(len(x), np.inf)
-    for corner, *neighbours in _CORNERS:
-        edges = x[:, neighbours] - x[:, [corner]]
+    for corner, *neighbors in _CORNERS:
+        edges = x[:, neighbors] - x[:, [corner]]
         size = np.prod(np.linalg.norm(edges, axis=2), axis=1)
         worst = np.minimum(worst, np.linalg.det(edges) / size)
     return worst

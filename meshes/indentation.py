@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mesh of a cylinder of cartilage under a flat-ended porous indenter.
 
-Quarter model, x >= 0 and y >= 0, in millimetres, z up (Guo and Spilker 2014,
+Quarter model, x >= 0 and y >= 0, in millimeters, z up (Guo and Spilker 2014,
 section 3.1):
 
      z                                     regions    cartilage, indenter
@@ -243,7 +243,7 @@ def parse(argv: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--hex", action="store_true",
                         help="swept hexahedra instead of tetrahedra")
     parser.add_argument("--growth", type=mesh_script.positive, default=1.4,
-                        help="ratio of neighbouring sizes in the cartilage "
+                        help="ratio of neighboring sizes in the cartilage "
                         "with --hex; displacements of order 1 need less than "
                         "the default, %(default)s")
     parser.add_argument("--format", choices=("2.2", "4.1"), default="4.1",

@@ -38,7 +38,7 @@ def check(knee: Knee) -> list[str]:
         if surface.endswith(("contact", "superior", "inferior")):
             turns = surface_gap.normal_turns(quads[surface])
             half, most = np.percentile(turns, (50, 99))
-            report.append(f"normals of neighbouring faces, {surface}: median "
+            report.append(f"normals of neighboring faces, {surface}: median "
                           f"{half:.1f}, 99 % below {most:.1f}, max "
                           f"{turns.max():.1f} degrees")
     return report

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Mesh of a knee from a labelled image: cartilage and menisci, hexahedra.
+"""Mesh of a knee from a labeled image: cartilage and menisci, hexahedra.
 
 The image (NRRD or NIfTI) has a number in each voxel that says which tissue is
-there. In millimetres, z up, y to the front, x to the right (so that x points
+there. In millimeters, z up, y to the front, x to the right (so that x points
 to the lateral side of a right knee); the origin is midway between the tibial
 cartilages.
 
@@ -90,9 +90,9 @@ def anatomy(args: argparse.Namespace
     args.image = args.image or image_of_a_real_knee()
     image = label_image.read(args.image)
     voxel = " x ".join(f"{edge:.3f}" for edge in image.voxel())
-    centres = [label_image.Tissue(image, args.labels[name], name).points
+    centers = [label_image.Tissue(image, args.labels[name], name).points
                .mean(axis=0) for name in knee_joint.TIBIA.values()]
-    shift = 0.5 * (centres[0] + centres[1])
+    shift = 0.5 * (centers[0] + centers[1])
     image.affine[:3, 3] -= shift
     place = ", ".join(f"{c:.3f}" for c in shift)
     lines = [f"{args.image}: voxels of {voxel} mm; the origin is at ({place}) "
@@ -125,7 +125,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("image", nargs="?",
-                        help="labelled image: .nrrd, .nii or .nii.gz; left "
+                        help="labeled image: .nrrd, .nii or .nii.gz; left "
                              "out, that of scripts/get_knee_image")
     knee_joint.add_options(parser, "knee.msh")
     parser.add_argument("--labels", type=labels, default=dict(LABELS),

@@ -44,7 +44,7 @@ SURFACES = {name: tag for tag, name in enumerate(
 FEMORAL_SIZE, TIBIAL_SIZE, MENISCAL_SIZE = 1.0, 0.8, 0.7
 CARTILAGE_LAYERS, MENISCAL_LAYERS = 3, 6
 
-# The gap between a meniscus and its neighbours where they touch (mm).
+# The gap between a meniscus and its neighbors where they touch (mm).
 TOUCH = 1e-3
 # How far beyond its image a meniscus may go on to become thin (mm).
 REACH = 1.5
@@ -151,18 +151,18 @@ def settle(columns: np.ndarray, mesh: QuadMesh, name: str, tibia: np.ndarray,
 
 
 def origin(body: Body, side: str, meniscus: Meniscus) -> np.ndarray:
-    """Where the axis of the circumferential fibres is.
+    """Where the axis of the circumferential fibers is.
 
     Medial: midway between the horns. Lateral: the middle of the meniscus, the
-    centre of the circle that fits it.
+    center of the circle that fits it.
     """
     horns = [quads_of(body, f"{MENISCUS[side]}_horn_{end}")[:, :4]
              .mean(axis=(0, 1)) for end in ("anterior", "posterior")]
     if side == "medial":
         return 0.5 * (horns[0] + horns[1])
-    centre, _ = circle(meniscus.place(0.5 * (meniscus.inner
+    center, _ = circle(meniscus.place(0.5 * (meniscus.inner
                                              + meniscus.outer)))
-    return np.array([*centre, body.points[:, 2].mean()])
+    return np.array([*center, body.points[:, 2].mean()])
 
 
 def frame_lines(knee: Knee) -> list[str]:

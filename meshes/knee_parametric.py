@@ -2,7 +2,7 @@
 """Mesh of an idealised right knee: cartilage and menisci, hexahedra.
 
 For tests, and for users without an image; regions, surfaces, axes and rules are
-those of knee_from_segmentation.py. In millimetres; the condyles would touch the
+those of knee_from_segmentation.py. In millimeters; the condyles would touch the
 tibial cartilage at (-22, 0, 0) and (22, 0, 0) if the femur were not lifted.
 
                  posterior                  seen from above, the femur left off
@@ -25,7 +25,7 @@ plateau is concave, the lateral one convex from front to back (Hashemi et al.
 2008, J Bone Joint Surg Am 90-A:2724-34, and the cartilage of the lateral one,
 whose bone is flat). Menisci: medial one 42 long and 32 wide, lateral one 33
 long and 33 wide (Gupta, Bhavsar & Ambiye 2015, Int J Anat Res 3:1073-78); their
-surfaces are those of their neighbours.
+surfaces are those of their neighbors.
 
 Sample runs:
   scripts/python meshes/knee_parametric.py -o knee.msh              # 35,000 hexes
@@ -58,11 +58,11 @@ TIBIAL_THICKNESS = 2.5
 END, SHOULDER, FRONT = -195.0, -75.0, -5.0
 NOTCH, ARCH, OUTER = 9.0, 4.5, 36.0
 
-# Tibia: centre, half width, half length, and 1/radius in x and in y of what
+# Tibia: center, half width, half length, and 1/radius in x and in y of what
 # touches the femur at y = 0.
 PLATEAUS = {"medial": (-CONDYLE, 3.0, 14.0, 21.5, 1 / 80, 1 / 50),
             "lateral": (CONDYLE, 1.5, 15.0, 18.0, 1 / 60, -1 / 120)}
-# Menisci: centre, half width and half length of the outer side, angles of the
+# Menisci: center, half width and half length of the outer side, angles of the
 # anterior and the posterior horn (degrees), width of the wedge.
 MENISCI = {"medial": (-19.0, 3.5, 17.0, 21.0, 70.0, 290.0, 8.5),
            "lateral": (22.0, 1.5, 16.5, 16.5, 145.0, -145.0, 9.0)}

@@ -1,4 +1,4 @@
-"""Femoral cartilage from a labelled image: a layer and its outline."""
+"""Femoral cartilage from a labeled image: a layer and its outline."""
 
 from __future__ import annotations
 

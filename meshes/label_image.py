@@ -1,6 +1,6 @@
-"""Labelled images: tissue numbers in voxels, and where those are in space.
+"""Labeled images: tissue numbers in voxels, and where those are in space.
 
-Coordinates are millimetres, x to the right, y to the front (anterior), z up
+Coordinates are millimeters, x to the right, y to the front (anterior), z up
 (superior): NIfTI's axes. NRRD images name theirs.
 """
 
@@ -101,7 +101,7 @@ def read(path: str) -> LabelImage:
         whole = np.rint(image.labels)
         if not np.array_equal(whole, image.labels):
             raise ImageError(f"'{path}' holds numbers that are not whole: it "
-                             "is no labelled image")
+                             "is no labeled image")
         image.labels = whole.astype(np.int32)
     return image
 

@@ -1,4 +1,4 @@
-"""A meniscus from a labelled image: its outline and its two surfaces."""
+"""A meniscus from a labeled image: its outline and its two surfaces."""
 
 from __future__ import annotations
 
@@ -25,26 +25,26 @@ BLUR = 5
 
 
 def meniscus(tissue: Tissue, cutoff: float) -> Meniscus:
-    """Outline about the centre of a circle, and surfaces, of a C in (x, y)."""
+    """Outline about the center of a circle, and surfaces, of a C in (x, y)."""
     samples = sample(tissue, Vertical())
     thick = samples.thickness() > THIN
     i, j = np.nonzero(thick)
     x, y = samples.u[i], samples.v[j]
-    centre, _ = circle(np.column_stack([x, y]))
-    angles, inner, outer = _arc(*_radii(samples, centre), tissue.name)
-    angle, radius = polar(centre, angles, x, y)
+    center, _ = circle(np.column_stack([x, y]))
+    angles, inner, outer = _arc(*_radii(samples, center), tissue.name)
+    angle, radius = polar(center, angles, x, y)
     order = np.argsort(angles)
     thick[i, j] = radius < np.interp(angle, angles[order],
                                      outer[order]) - WALL
-    return Meniscus(centre, angles, inner, outer, *samples.fit(thick, cutoff))
+    return Meniscus(center, angles, inner, outer, *samples.fit(thick, cutoff))
 
 
-def _radii(samples: Samples, centre: np.ndarray
+def _radii(samples: Samples, center: np.ndarray
            ) -> tuple[np.ndarray, np.ndarray]:
     """Inner and outer radius at every degree, NaN where there is no tissue."""
     angles = np.deg2rad(np.arange(360))
     radii = np.arange(1, 45, 0.1)
-    rays = centre[:, None, None] + radii \
+    rays = center[:, None, None] + radii \
         * np.array([np.cos(angles), np.sin(angles)])[:, :, None]
     heights = ndimage.map_coordinates(
         samples.thickness(), [(rays[0] - samples.u[0]) / SPACING,

@@ -1,4 +1,4 @@
-"""Tibial cartilage from a labelled image: a layer and its outline."""
+"""Tibial cartilage from a labeled image: a layer and its outline."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def tibial_layer(tissue: Tissue, cutoff: float, thinnest: float
 
 def star_outline(u: np.ndarray, v: np.ndarray, mask: np.ndarray, name: str,
                  harmonics: int = 9) -> np.ndarray:
-    """The smoothed outline of a mask that its centre sees all of, 360 points.
+    """The smoothed outline of a mask that its center sees all of, 360 points.
 
     Smoothed by leaving off the higher harmonics of the radius over the angle,
     after the mask was scaled to be as long as it is wide.
@@ -34,11 +34,11 @@ def star_outline(u: np.ndarray, v: np.ndarray, mask: np.ndarray, name: str,
         raise ImageError(f"{name} is too small or too thin to be meshed")
     points = np.column_stack([u[i], v[j]])
     low, high = points.min(axis=0), points.max(axis=0)
-    centre, half = 0.5 * (low + high), 0.5 * (high - low)
+    center, half = 0.5 * (low + high), 0.5 * (high - low)
     angle = np.linspace(-np.pi, np.pi, 360, endpoint=False)
     ray = np.column_stack([np.cos(angle), np.sin(angle)])
     t = np.arange(0, 1.6, 0.01)
-    places = centre + half * ray[:, None] * t[None, :, None]
+    places = center + half * ray[:, None] * t[None, :, None]
     value = ndimage.map_coordinates(
         whole.astype(float), [(places[..., 0] - u[0]) / (u[1] - u[0]),
                               (places[..., 1] - v[0]) / (v[1] - v[0])],
@@ -47,4 +47,4 @@ def star_outline(u: np.ndarray, v: np.ndarray, mask: np.ndarray, name: str,
     wave = np.fft.rfft(radius)
     wave[harmonics + 1:] = 0
     radius = np.fft.irfft(wave, len(radius))
-    return centre + half * ray * radius[:, None]
+    return center + half * ray * radius[:, None]

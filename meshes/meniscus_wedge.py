@@ -15,7 +15,7 @@ from smooth_height import SmoothHeight
 # The surfaces are fitted in two passes. Each closes gaps below its first number
 # (mm), which an image of this resolution can't tell from contact, and then
 # leaves out waves shorter than the second (mm), since a meniscus would leave
-# its neighbour with a sharp bend otherwise. What the first pass opens by that,
+# its neighbor with a sharp bend otherwise. What the first pass opens by that,
 # the second one closes again.
 PASSES = ((0.35, 4.5), (0.15, 2.5))
 # Left between surfaces that were closed, for their facets (mm).
@@ -25,13 +25,13 @@ SPACING = 0.5   # of the grid on which surfaces are fitted (mm)
 
 @dataclass
 class Meniscus:
-    """Radii over the angle about a centre, from the anterior horn on.
+    """Radii over the angle about a center, from the anterior horn on.
 
     angles increase or decrease monotonically (rad); the inner radius is where
     the tissue ends. The surfaces are heights z(x, y), in mm.
     """
 
-    centre: np.ndarray     # 2
+    center: np.ndarray     # 2
     angles: np.ndarray
     inner: np.ndarray
     outer: np.ndarray
@@ -40,13 +40,13 @@ class Meniscus:
 
     def place(self, radius: np.ndarray) -> np.ndarray:
         ray = np.column_stack([np.cos(self.angles), np.sin(self.angles)])
-        return self.centre + radius[:, None] * ray
+        return self.center + radius[:, None] * ray
 
 
-def polar(centre: np.ndarray, angles: np.ndarray, x: np.ndarray, y: np.ndarray
+def polar(center: np.ndarray, angles: np.ndarray, x: np.ndarray, y: np.ndarray
           ) -> tuple[np.ndarray, np.ndarray]:
     """Angle, within pi of the middle one of the angles, and radius."""
-    dx, dy = x - centre[0], y - centre[1]
+    dx, dy = x - center[0], y - center[1]
     middle = angles[len(angles) // 2]
     turn = (np.arctan2(dy, dx) - middle + np.pi) % (2 * np.pi)
     return middle + turn - np.pi, np.hypot(dx, dy)
@@ -110,7 +110,7 @@ def opened(gap: np.ndarray) -> np.ndarray:
 
 
 class Fitted:
-    """The meniscus between its neighbours; the femur is lifted by `lift` (mm).
+    """The meniscus between its neighbors; the femur is lifted by `lift` (mm).
     """
 
     def __init__(self, body: Meniscus, tibia: Cover, femur: Cover, lift: float,
@@ -138,7 +138,7 @@ class Fitted:
         x, y = (line.ravel() for line in np.meshgrid(
             *(np.arange(a - 2, b + 2, 0.8 * SPACING)
               for a, b in zip(rim.min(axis=0), rim.max(axis=0)))))
-        angle, radius = polar(body.centre, body.angles, x, y)
+        angle, radius = polar(body.center, body.angles, x, y)
         order = np.argsort(body.angles)
         angles = body.angles[order]
         beside = radius * np.maximum(angle - angles[-1], angles[0] - angle)
@@ -150,7 +150,7 @@ class Fitted:
 
     def sides(self, x: np.ndarray, y: np.ndarray
               ) -> tuple[np.ndarray, np.ndarray]:
-        """z of the inferior and the superior surface, clear of the neighbours.
+        """z of the inferior and the superior surface, clear of the neighbors.
         """
         low, high = self.inferior(x, y), self.superior(x, y)
         gap = low - self._tibia(x, y, low)
@@ -168,8 +168,8 @@ class Fitted:
         share = np.linspace(0, 1, 60)
         begin, end = body.inner - self._reach, body.outer - 2.0
         r = begin[:, None] + (end - begin)[:, None] * share
-        x = body.centre[0] + r * np.cos(body.angles)[:, None]
-        y = body.centre[1] + r * np.sin(body.angles)[:, None]
+        x = body.center[0] + r * np.cos(body.angles)[:, None]
+        y = body.center[1] + r * np.sin(body.angles)[:, None]
         thin = self.superior(x, y) - self.inferior(x, y) < edge
         last = len(share) - 1 - np.argmax(thin[:, ::-1], axis=1)
         found = np.where(thin.any(axis=1),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import gmsh
 import numpy as np
 
-# Corners of an element and, for each, its three neighbours in right-handed
+# Corners of an element and, for each, its three neighbors in right-handed
 # order, so that the triple product of the edges to them is positive.
 _TETRAHEDRON = [(0, 1, 2, 3), (1, 2, 0, 3), (2, 0, 1, 3), (3, 0, 2, 1)]
 _HEXAHEDRON = [(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
@@ -68,8 +68,8 @@ def measure(volume_tags: list[int]) -> Quality:
             used.append(np.unique(nodes))
             x = points[nodes[:, :corners]]
             worst = np.full(len(x), np.inf)
-            for corner, *neighbours in stencil:
-                e = x[:, neighbours] - x[:, [corner]]
+            for corner, *neighbors in stencil:
+                e = x[:, neighbors] - x[:, [corner]]
                 length = np.linalg.norm(e, axis=2)
                 edges.append(length.ravel())
                 det = np.linalg.det(e) / np.prod(length, axis=1)

@@ -170,7 +170,7 @@ def _worst_corner(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
 
 
 def relax(mesh: QuadMesh, rounds: int = 60) -> QuadMesh:
-    """Moves inner points towards the middle of their neighbours.
+    """Moves inner points towards the middle of their neighbors.
 
     A point stays where moving would make a sharp angle sharper; beside a notch
     it would leave the mesh otherwise. The middles of edges and quadrangles move
@@ -190,7 +190,7 @@ def relax(mesh: QuadMesh, rounds: int = 60) -> QuadMesh:
         mean = np.column_stack([np.bincount(a, points[b, k], minlength=n)
                                 for k in (0, 1)]) / degree
         trial = np.where(free[:, None], mean, points)
-        # What spoils a corner goes back, with the neighbours that it met.
+        # What spoils a corner goes back, with the neighbors that it met.
         for _ in range(5):
             new = _worst_corner(trial, quads)
             worse = (new < 0.8) & (new < quality - 1e-3)

@@ -1,6 +1,6 @@
 """The smooth surface h(u, v) that comes closest to scattered heights.
 
-It minimises the mean squared distance to the samples plus a penalty on second
+It minimizes the mean squared distance to the samples plus a penalty on second
 derivatives, which acts as a low-pass filter 1/(1 + (c/wavelength)^4): waves
 shorter than the cutoff c vanish, and the surface goes on with little curvature
 where there are no samples. Bicubic between the points of a grid, so that its

@@ -27,18 +27,18 @@ class Heights:
 
     def __init__(self, quads: np.ndarray):
         self.quads = quads
-        centres = quads[:, :, :2].mean(axis=1)
-        radius = np.linalg.norm(quads[:, :, :2] - centres[:, None], axis=2)
+        centers = quads[:, :, :2].mean(axis=1)
+        radius = np.linalg.norm(quads[:, :, :2] - centers[:, None], axis=2)
         self._radius = float(radius.max())
-        self._tree = cKDTree(centres)
+        self._tree = cKDTree(centers)
 
-    def __call__(self, points: np.ndarray, neighbours: int = 12
+    def __call__(self, points: np.ndarray, neighbors: int = 12
                  ) -> np.ndarray:
         """z above or below the points (n x 2), NaN beside the surface.
 
-        Of several values it is that of the quadrangle with the nearest centre.
+        Of several values it is that of the quadrangle with the nearest center.
         """
-        k = min(neighbours, len(self.quads))
+        k = min(neighbors, len(self.quads))
         _, candidates = self._tree.query(
             points, k=k, distance_upper_bound=1.01 * self._radius)
         candidates = candidates.reshape(len(points), k)
@@ -106,17 +106,17 @@ def normal_turns(quads: np.ndarray) -> np.ndarray:
 
 
 def points_inside(points: np.ndarray, hexahedra: np.ndarray,
-                  neighbours: int = 12) -> np.ndarray:
+                  neighbors: int = 12) -> np.ndarray:
     """Which points are inside of hexahedra, m x 8 or 27 x 3."""
-    centres = hexahedra.mean(axis=1)
-    reach = np.linalg.norm(hexahedra - centres[:, None], axis=2).max()
-    low, high = centres.min(axis=0) - reach, centres.max(axis=0) + reach
+    centers = hexahedra.mean(axis=1)
+    reach = np.linalg.norm(hexahedra - centers[:, None], axis=2).max()
+    low, high = centers.min(axis=0) - reach, centers.max(axis=0) + reach
     near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
     found = np.zeros(len(points), dtype=bool)
     if not len(near):
         return found
-    k = min(neighbours, len(hexahedra))
-    _, candidates = cKDTree(centres).query(points[near], k=k,
+    k = min(neighbors, len(hexahedra))
+    _, candidates = cKDTree(centers).query(points[near], k=k,
                                            distance_upper_bound=reach)
     candidates = candidates.reshape(len(near), k)
     for column in candidates.T:

@@ -13,7 +13,7 @@
 //    +---------------+ nu 0.0833, kappa 4.0e-3 mm^4/(N s), on fixed
 //    /////////////////  impermeable bone
 //
-// A quarter of it is modelled; the force printed is that of the whole cylinder.
+// A quarter of it is modeled; the force printed is that of the whole cylinder.
 // The cartilage drains freely outside the contact, where it is sealed against
 // the indenter, which is a thousand times more permeable and drains at its top.
 // Units are mm, N, s, MPa. meshes/indentation.py makes the mesh.
@@ -28,8 +28,8 @@
 //   mpirun -np 2 indentation -m indentation.msh -out out/rigid -r -s sdirk33
 //   mpirun -np 2 indentation -m indentation.msh -out out/direct -ls direct
 
-#include "general/option_range.hpp"
-#include "synovia.hpp"
+#include "synovia/general/option_range.hpp"
+#include "synovia/synovia.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -73,7 +73,7 @@ struct Options
       args.AddOption(&resume, "-re", "--resume", "-no-re", "--no-resume",
                      "Go on from the newest checkpoint there.");
       args.AddOption(&order, "-o", "--order",
-                     "Order of the displacement; 1 is stabilised.");
+                     "Order of the displacement; 1 is stabilized.");
       args.AddOption(&step, "-dt", "--step", "Time step (s).");
       args.AddOption(&end, "-te", "--end", "End time (s).");
       args.AddOption(&scheme, "-s", "--scheme",

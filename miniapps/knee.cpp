@@ -8,14 +8,14 @@
 //      (   femoral cartilage  )    down by 0.8 mm in 100 s, then stays
 //       \_____        ______/
 //     ____    \______/    ____
-//    |___ \_            _/ ___|    menisci: fibres run around the axes of two
+//    |___ \_            _/ ___|    menisci: fibers run around the axes of two
 //     ======    ======   ======    cylindrical frames; springs at four horns
 //      tibial cartilages           fixed, impermeable bone below
 //
 // Cartilage: E 0.69 MPa, nu 0.018, permeability 3.0e-3 mm^4/(N s). Menisci:
 // E_r = E_z = 0.075 MPa, E_theta 100 MPa, nu_rtheta 0.0015, nu_rz 0.5,
 // permeability 1.26e-3 mm^4/(N s). The paper leaves the shear modulus along the
-// fibres out; 0.05 MPa lies between the magnitudes measured in oscillation for
+// fibers out; 0.05 MPa lies between the magnitudes measured in oscillation for
 // bovine menisci (0.02 to 0.04 MPa: Zhu, Chern & Mow, Clin Orthop Relat Res
 // 306:34-45, 1994) and those of stiffer tissue, and --shear sets another.
 // Solid content is 0.25, units are mm, N, s, MPa.
@@ -38,8 +38,8 @@
 //   mpirun -np 2 knee --mesh knee.msh
 //   mpirun -np 2 knee --mesh knee.msh --order 2 --output out/order_2
 
-#include "general/option_range.hpp"
-#include "synovia.hpp"
+#include "synovia/general/option_range.hpp"
+#include "synovia/synovia.hpp"
 
 #include <iostream>
 
@@ -77,14 +77,14 @@ struct Options
       args.AddOption(&resume, "-re", "--resume", "-no-re", "--no-resume",
                      "Go on from the newest checkpoint there.");
       args.AddOption(&order, "-o", "--order",
-                     "Order of the displacement; 1 is stabilised.");
+                     "Order of the displacement; 1 is stabilized.");
       args.AddOption(&step, "-dt", "--step", "Time step (s).");
       args.AddOption(&end, "-te", "--end", "End time (s).");
       args.AddOption(&ramp, "-tr", "--ramp",
                      "How long the femoral bone moves (s).");
       args.AddOption(&approach, "-a", "--approach", "How far it moves (mm).");
       args.AddOption(&shear, "-G", "--shear",
-                     "Shear modulus of the menisci along their fibres (MPa).");
+                     "Shear modulus of the menisci along their fibers (MPa).");
       args.AddOption(&horn, "-k", "--horn",
                      "Stiffness of the springs at each horn, in each direction "
                      "of the tibial plateau (N/mm).");
@@ -189,7 +189,7 @@ ContactCase Contact(const std::string &name, const std::string &source,
    contact.name = name;
    contact.source = {source};
    contact.destination = {destination};
-   // Menisci slide by some millimetres.
+   // Menisci slide by some millimeters.
    contact.options.configuration = SearchConfiguration::current;
    return contact;
 }

@@ -13,12 +13,12 @@
 //   partial_assembly
 //   mpirun -np 2 partial_assembly --order 3 --size 8
 
-#include "general/option_range.hpp"
-#include "general/reduce.hpp"
-#include "integrators/effective_stress_integrator.hpp"
-#include "io/csv_row.hpp"
-#include "mesh/layers_estimate.hpp"
-#include "synovia.hpp"
+#include "synovia/fem/effective_stress_integrator.hpp"
+#include "synovia/general/option_range.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/io/csv_row.hpp"
+#include "synovia/mesh/layers_estimate.hpp"
+#include "synovia/synovia.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 //      +-------------------+
 //      /////////////////////   R = 10 mm, approach = 0.1 mm
 //
-// A quarter is modelled, by hexahedra or tetrahedra whose edges don't match
+// A quarter is modeled, by hexahedra or tetrahedra whose edges don't match
 // between the layers. Bones are impermeable, rims and surfaces without contact
 // drain freely. With --no-contact a normal traction of 0.1 E presses on the
 // surfaces between the layers instead, which drain. Each step is --step long
@@ -32,12 +32,12 @@
 //   mpirun -np 2 scaling --order 1 --size 24 --csv scaling.csv
 //   scaling --order 3 --size 4 --jump 1e4 --solver block_amg
 
-#include "general/option_range.hpp"
-#include "general/reduce.hpp"
-#include "general/resource_use.hpp"
-#include "io/csv_row.hpp"
-#include "mesh/layers_estimate.hpp"
-#include "synovia.hpp"
+#include "synovia/general/option_range.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/resource_use.hpp"
+#include "synovia/io/csv_row.hpp"
+#include "synovia/mesh/layers_estimate.hpp"
+#include "synovia/synovia.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -82,7 +82,7 @@ struct Options
       args.AddOption(&refine, "-r", "--refine",
                      "Split all elements so often after they are distributed.");
       args.AddOption(&order, "-o", "--order",
-                     "Order of the displacement; 1 is stabilised.");
+                     "Order of the displacement; 1 is stabilized.");
       args.AddOption(&permeability, "-k", "--permeability",
                      "Permeability (mm^4/(N s)).");
       args.AddOption(&step, "-dt", "--step", "Time step (s).");
@@ -277,7 +277,7 @@ void AddTotals(const Totals &totals, CsvRow &row)
    row.Add("assemblies", totals.work.assemblies);
    row.Add("searches", totals.work.searches);
    row.Add("setups", totals.work.setups);
-   row.Add("factorisations", totals.work.factorisations);
+   row.Add("factorisations", totals.work.factorizations);
    row.Add("columns", totals.work.columns);
 }
 

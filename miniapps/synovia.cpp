@@ -21,10 +21,10 @@
 //   synovia confined_compression.toml --set time.step=50 --output out/coarse
 //   synovia confined_compression.toml --resume
 
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
-#include "general/suggestion.hpp"
-#include "general/version.hpp"
+#include "synovia/general/suggestion.hpp"
+#include "synovia/general/version.hpp"
 
 #include <iostream>
 

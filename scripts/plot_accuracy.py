@@ -140,7 +140,7 @@ def draw(costs: list[Cost], file: pathlib.Path) -> None:
                             color=plt.rcParams["axes.prop_cycle"].by_key()
                             ["color"][order - 1],
                             label=f"order {order}"
-                            + (", stabilised" if order == 1 else ""))
+                            + (", stabilized" if order == 1 else ""))
         axes.set_xlabel(label)
         axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.xaxis.set_major_formatter("{x:,g}")

@@ -14,7 +14,7 @@ Reads OUT, the output directory of miniapps/cases/glenohumeral.toml, and draws
   glenohumeral.png      all of them
 
 in the plane y = 0. Units are mm, N, s, MPa; tension is positive. Forces are
-those of the whole joint, also where a quarter was modelled.
+those of the whole joint, also where a quarter was modeled.
 """
 
 from __future__ import annotations
@@ -106,10 +106,10 @@ class Joint:
 
 
 def draw_field(axes: plt.Axes, joint: Joint, values: list, title: str,
-               label: str, **colours) -> None:
+               label: str, **colors) -> None:
     section.draw_section(axes, joint.sections, [0, 2], values, label,
-                         **(section.colour_range(joint.sections, values)
-                            | colours))
+                         **(section.color_range(joint.sections, values)
+                            | colors))
     narrow = min(joint.sections, key=lambda part: part.bounds[1])
     right = BEYOND * narrow.bounds[1]
     left = -right if joint.copies == 1 else 0.0
@@ -150,10 +150,10 @@ def min_principal(axes: plt.Axes, joint: Joint) -> None:
 
 def axis_pressure(axes: plt.Axes, joint: Joint) -> None:
     lines = joint.axis_lines()
-    colours = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(lines)))
-    for (time, *layers), colour in zip(lines, colours):
+    colors = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(lines)))
+    for (time, *layers), color in zip(lines, colors):
         for layer in layers:
-            axes.plot(layer["z"] + layer["uz"], layer["p"], color=colour,
+            axes.plot(layer["z"] + layer["uz"], layer["p"], color=color,
                       label=None if layer is layers[1] else f"{time:g} s")
     axes.set(xlabel="deformed $z$ (mm)", ylabel="fluid pressure $p$ (MPa)",
              title="On the axis")

@@ -98,7 +98,7 @@ def axial_stress(axes: plt.Axes, out: Output) -> None:
         grid, ("displacement", "total_stress", "attribute"), out.directory)
     sections = section.cut(section.bodies_of(grid), normal=1, at=0.0)
 
-    # The stress at the rim has no bound; the colours are for the rest of it.
+    # The stress at the rim has no bound; the colors are for the rest of it.
     on_axis = reference("indent_surface.csv").where("t", HALFWAY)["szz"][0]
     section.draw_section(
         axes, sections, [0, 2],

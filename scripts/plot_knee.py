@@ -55,7 +55,7 @@ from synovia_output import Output  # noqa: E402
 
 WIDTH = 1600                # of a view, pixels
 AROUND = 1.0                # what is shown around a meniscus' section, mm
-# Of the surfaces, this part may go beyond the colours.
+# Of the surfaces, this part may go beyond the colors.
 BEYOND = 0.002
 BESIDE = 0.75               # axes to scale, for labels, inches
 NOTE = 0.3                  # height of the note below the sheet, inches
@@ -67,9 +67,9 @@ STRESS = r"total stress $\sigma_{zz}$ (MPa)"
 SURFACE_FIELDS = {
     "fluid_pressure": (PRESSURE, 1),
     "normal_stress": (r"total normal stress $\sigma_{nn}$ (MPa)", -1)}
-NEIGHBOUR = {"cmap": "Greys", "vmin": -1.0, "vmax": 8.0}
+NEIGHBOR = {"cmap": "Greys", "vmin": -1.0, "vmax": 8.0}
 RIM = {"color": "#AAAAAA", "linewidth": 1.0}
-KIND_COLOURS = dict(zip(knee_run.KINDS,
+KIND_COLORS = dict(zip(knee_run.KINDS,
                         (style.BLUE, style.ORANGE, style.GREEN)))
 SIDE_STROKES = {"medial": "-", "lateral": (0, (4, 1.5))}
 
@@ -103,7 +103,7 @@ def name_sides(axes: plt.Axes, knee: Knee) -> None:
 
 def tissue_legend(figure: FigureBase, tissues: list[str]) -> None:
     figure.legend(handles=[
-        Patch(facecolor=knee_views.COLOURS[tissue], label=TISSUES[tissue],
+        Patch(facecolor=knee_views.COLORS[tissue], label=TISSUES[tissue],
               edgecolor="#303030", linewidth=0.5) for tissue in tissues],
         loc="outside lower center", ncols=3)
 
@@ -128,10 +128,10 @@ def superior_picture(knee: Knee) -> Picture:
 @functools.cache
 def field_picture(knee: Knee, bodies: tuple[str, ...], view: View,
                   name: str) -> Picture:
-    """A field on the deformed surfaces, in the very colours of its bar."""
-    colours = surface_colours(knee, name)
-    look = {"scalars": name, "cmap": colours["cmap"], "lighting": False,
-            "clim": (colours["vmin"], colours["vmax"])}
+    """A field on the deformed surfaces, in the very colors of its bar."""
+    colors = surface_colors(knee, name)
+    look = {"scalars": name, "cmap": colors["cmap"], "lighting": False,
+            "clim": (colors["vmin"], colors["vmax"])}
     return solid_view.draw([(knee.surfaces[body], look) for body in bodies],
                            view, WIDTH)
 
@@ -161,16 +161,16 @@ def meniscal_slices(figure: FigureBase, knee: Knee) -> None:
     for column, (label, values, load) in zip(panels.T, (
             (PRESSURE, [part["fluid_pressure"] for part in parts], 1),
             (STRESS, [part["total_stress"][:, 2] for part in parts], -1))):
-        colours = knee_run.load_colours(parts, values, load)
+        colors = knee_run.load_colors(parts, values, load)
         for axes, side, value in zip(column, SIDES, values):
             at = knee.slices[side].at
-            mappable = draw_slice(axes, knee, side, value, colours)
+            mappable = draw_slice(axes, knee, side, value, colors)
             axes.set_title(f"{side} meniscus, $y$ = {at:.3g} mm")
         column[1].set_xlabel("$x$ (mm)")
         figure.colorbar(mappable, ax=list(column), orientation="horizontal",
                         aspect=40, pad=0.02, label=label,
                         ticks=MaxNLocator(5),
-                        extend=section.extent(values, colours))
+                        extend=section.extent(values, colors))
     for axes in panels[:, 0]:
         axes.set_ylabel("$z$ (mm)")
     figure.legend(handles=[Line2D([], [], label="before", **section.BEFORE),
@@ -179,14 +179,14 @@ def meniscal_slices(figure: FigureBase, knee: Knee) -> None:
 
 
 def draw_slice(axes: plt.Axes, knee: Knee, side: str, values: np.ndarray,
-               colours: dict):
-    """The meniscus in colours between its neighbours in grey."""
+               colors: dict):
+    """The meniscus in colors between its neighbors in grey."""
     cut = knee.slices[side]
     section.draw_values(axes, cut.others, [0, 2],
                         [np.zeros(part.n_points) for part in cut.others],
-                        **NEIGHBOUR)
+                        **NEIGHBOR)
     mappable = section.draw_values(axes, [cut.meniscus], [0, 2], [values],
-                                   **colours)
+                                   **colors)
     # Both sides to the same scale
     bounds = slice_bounds(knee)
     size = np.ptp(list(bounds.values()), axis=1).max(axis=0)
@@ -194,7 +194,7 @@ def draw_slice(axes: plt.Axes, knee: Knee, side: str, values: np.ndarray,
     low, high = middle - size / 2, middle + size / 2
     axes.set_xlim(low[0], high[0], auto=True)
     axes.set_ylim(low[1], high[1], auto=True)
-    # On the sheet there may be more room: show more of the neighbours.
+    # On the sheet there may be more room: show more of the neighbors.
     axes.set_aspect("equal", adjustable="datalim")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(6, integer=True))
@@ -213,11 +213,11 @@ def slice_bounds(knee: Knee) -> dict[str, np.ndarray]:
     return bounds
 
 
-def surface_colours(knee: Knee, name: str) -> dict:
+def surface_colors(knee: Knee, name: str) -> dict:
     """The same for all articular surfaces."""
     surfaces = [knee.surfaces[body] for body in knee.bodies
                 if not body.startswith("meniscus")]
-    return knee_run.load_colours(surfaces, [s[name] for s in surfaces],
+    return knee_run.load_colors(surfaces, [s[name] for s in surfaces],
                                  SURFACE_FIELDS[name][1], BEYOND)
 
 
@@ -234,14 +234,14 @@ def surface_fields(figure: FigureBase, knee: Knee, bodies: tuple[str, ...],
             for line in knee.outline(f"{pairs}-{side}"):
                 axes.plot(line[:, 0], line[:, 1], **RIM)
         name_sides(axes, knee)
-        colours = surface_colours(knee, name)
+        colors = surface_colors(knee, name)
         mappable = plt.cm.ScalarMappable(
-            plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"])
+            plt.Normalize(colors["vmin"], colors["vmax"]), colors["cmap"])
         values = [knee.surfaces[body][name] for body in bodies]
         figure.colorbar(mappable, ax=axes, orientation="horizontal",
                         aspect=40, pad=0.02, label=label,
                         ticks=MaxNLocator(5),
-                        extend=section.extent(values, colours))
+                        extend=section.extent(values, colors))
     panels[1].set_ylabel("")
     figure.legend(handles=[Line2D([], [], label="edge of the menisci", **RIM)],
                   loc="outside upper right")
@@ -273,12 +273,12 @@ def force(figure: FigureBase, knee: Knee) -> None:
     forces, shares = figure.subplots(1, 2)
     curve(forces, knee, knee.force(), label="all", color="black")
     parts = force_parts(knee)
-    for (name, part), colour in zip(parts.items(), (
+    for (name, part), color in zip(parts.items(), (
             style.BLUE, style.SKY, style.RED, style.ORANGE)):
         stroke = "-" if name in SIDES else (0, (4, 1.5))
-        curve(forces, knee, part, label=name, color=colour, linestyle=stroke)
+        curve(forces, knee, part, label=name, color=color, linestyle=stroke)
         if name in ("medial", "menisci"):
-            shares.plot(knee.history["t"], knee.share(part), color=colour,
+            shares.plot(knee.history["t"], knee.share(part), color=color,
                         linestyle=stroke)
     against_time(forces, knee, "compressive force (N)")
     against_time(shares, knee, "share of the force (%)")
@@ -297,16 +297,16 @@ def force_parts(knee: Knee) -> dict[str, np.ndarray]:
 
 def curves_of_pairs(axes: plt.Axes, knee: Knee,
                     values: dict[str, np.ndarray]) -> None:
-    for kind, colour in KIND_COLOURS.items():
+    for kind, color in KIND_COLORS.items():
         for side, stroke in SIDE_STROKES.items():
-            curve(axes, knee, values[f"{kind}-{side}"], color=colour,
+            curve(axes, knee, values[f"{kind}-{side}"], color=color,
                   linestyle=stroke)
 
 
 def pair_legend(figure: FigureBase, what: str = "", *others: Line2D) -> None:
-    """Colours for what touches, strokes for the sides."""
-    kinds = [Line2D([], [], color=colour, label=what + kind)
-             for kind, colour in KIND_COLOURS.items()]
+    """Colors for what touches, strokes for the sides."""
+    kinds = [Line2D([], [], color=color, label=what + kind)
+             for kind, color in KIND_COLORS.items()]
     sides = [Line2D([], [], color=style.GREY, linestyle=stroke, label=side)
              for side, stroke in SIDE_STROKES.items()]
     figure.legend(handles=[*kinds, *sides, *others],

@@ -60,7 +60,7 @@ def read(file: str) -> dict[str, pv.UnstructuredGrid]:
     finally:
         gmsh.finalize()
     known = {name: grid.clean() for name, grid in bodies.items()
-             if name.startswith(tuple(knee_views.COLOURS)) and grid.n_cells}
+             if name.startswith(tuple(knee_views.COLORS)) and grid.n_cells}
     if not any(name.startswith("meniscus") for name in known):
         raise ValueError(f"'{file}' has no hexahedra of a meniscus")
     return known

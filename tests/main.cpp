@@ -126,7 +126,7 @@ public:
 
 CATCH_REGISTER_LISTENER(RankListener)
 
-void InitialiseMpi(int argc, char *argv[])
+void InitializeMpi(int argc, char *argv[])
 {
 #ifdef __SANITIZE_ADDRESS__
    const __lsan::ScopedDisabler openmpi_loses_a_few_strings;
@@ -178,7 +178,7 @@ int RunSession(int argc, char *argv[])
 int main(int argc, char *argv[])
 {
    WatchTime();
-   InitialiseMpi(argc, argv);
+   InitializeMpi(argc, argv);
 
    std::streambuf *const console = std::cout.rdbuf();
    if (!mfem::Mpi::Root())

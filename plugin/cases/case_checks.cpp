@@ -1,5 +1,5 @@
-#include "cases/case_checks.hpp"
-#include "general/text.hpp"
+#include "synovia/cases/case_checks.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +34,9 @@ public:
               const std::string &problem)
    {
       const auto [first, fresh] = paths.emplace(name, path);
-      if (!fresh && !reading.Complained(path))
+      if (!fresh && !reading.HasError(path))
       {
-         reading.Complain(path, problem + " (" +
+         reading.AddError(path, problem + " (" +
                                    WhereIs(reading.Places(), first->second) +
                                    ")");
       }
@@ -50,20 +50,20 @@ private:
 void CheckNames(const std::vector<std::string> &names, const std::string &path,
                 const std::string &kind, CaseReading &reading)
 {
-   if (names.empty() && !reading.Complained(path))
+   if (names.empty() && !reading.HasError(path))
    {
-      reading.Complain(path, "no " + kind + " is named; name at least one");
+      reading.AddError(path, "no " + kind + " is named; name at least one");
    }
    std::set<std::string> seen;
    for (size_t i = 0; i < names.size(); i++)
    {
       if (names[i].empty())
       {
-         reading.Complain(Path(path, i), "the name is empty");
+         reading.AddError(Path(path, i), "the name is empty");
       }
       else if (!seen.insert(names[i]).second)
       {
-         reading.Complain(Path(path, i), Quoted(names[i]) + " is named twice");
+         reading.AddError(Path(path, i), Quoted(names[i]) + " is named twice");
       }
    }
 }
@@ -75,7 +75,7 @@ void CheckFileName(const std::string &name, const std::string &path,
    if (name.find_first_of("/\\,\"'") != std::string::npos || name[0] == '.' ||
        name.size() > longest_name)
    {
-      reading.Complain(path, "found the name " + Quoted(name) +
+      reading.AddError(path, "found the name " + Quoted(name) +
                                 "; it must have at most " +
                                 std::to_string(longest_name) +
                                 " letters, no slash, comma or quote, and no "
@@ -97,13 +97,13 @@ void CheckFrame(const FrameCase &frame, const std::string &path,
       CheckNames(surfaces, path + "." + key, "surface", reading);
       if (frame.type != FrameType::cylindrical)
       {
-         reading.Complain(path + "." + key,
+         reading.AddError(path + "." + key,
                           "only a cylindrical frame has an axis somewhere; "
                           "give type = \"cylindrical\", or leave it out");
       }
       else if (also || frame.HasOrigin())
       {
-         reading.Complain(path + "." + key,
+         reading.AddError(path + "." + key,
                           "the axis is said to be somewhere else too; give "
                           "one of origin, between, around");
       }
@@ -114,9 +114,9 @@ void CheckFrame(const FrameCase &frame, const std::string &path,
 
 void CheckMaterials(const CaseFile &setup, CaseReading &reading)
 {
-   if (setup.materials.empty() && !reading.Complained("material"))
+   if (setup.materials.empty() && !reading.HasError("material"))
    {
-      reading.Complain("material", "there is no material; every region needs "
+      reading.AddError("material", "there is no material; every region needs "
                                    "one");
    }
    Once once(reading);
@@ -226,24 +226,24 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
       }
       if (idle && !complained)
       {
-         reading.Complain(path,
+         reading.AddError(path,
                           "nothing is prescribed here; give displacement, "
                           "pressure, traction, normal_traction, "
                           "normal_flux, spring or force");
       }
       if (boundary.spring.IsDirected() && boundary.spring.stiffness == 0.0)
       {
-         reading.Complain(path + ".spring",
+         reading.AddError(path + ".spring",
                           "there is a direction, but no stiffness");
       }
       if (boundary.force.IsDirected() && !boundary.force.curve)
       {
-         reading.Complain(path + ".force",
+         reading.AddError(path + ".force",
                           "there is a direction, but no curve");
       }
       if (boundary.force.curve && !boundary.force.IsDirected())
       {
-         reading.Complain(path + ".force",
+         reading.AddError(path + ".force",
                           "there is a curve, but no direction");
       }
       const std::set<std::string> distinct(boundary.surfaces.begin(),
@@ -255,7 +255,7 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
               boundary.force.curve) &&
              surface.find_first_of(",\"'/\\") != std::string::npos)
          {
-            reading.Complain(path + ".surfaces",
+            reading.AddError(path + ".surfaces",
                              "the name " + Quoted(surface) +
                                 " cannot be a column of the history, for it "
                                 "has a comma, a quote or a slash; rename the "
@@ -295,7 +295,7 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
       {
          if (source.count(surface))
          {
-            reading.Complain(path + ".destination",
+            reading.AddError(path + ".destination",
                              Quoted(surface) + " is in the source too; a "
                                                "surface can't touch itself");
          }
@@ -307,7 +307,7 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
             const auto found = held.find(surface);
             if (found != held.end())
             {
-               reading.Complain(
+               reading.AddError(
                   found->second,
                   "the fluid on " + Quoted(surface) +
                      " is the contact pair's: sealed where it touches, free "
@@ -336,7 +336,7 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
       }
       if (contact.options.quadrature_order == 3)
       {
-         reading.Complain(path + ".quadrature_order",
+         reading.AddError(path + ".quadrature_order",
                           "found 3, which has negative weights; take 4");
       }
    }
@@ -347,21 +347,21 @@ void CheckTimes(const CaseFile &setup, CaseReading &reading)
    const TimeOptions &time = setup.time;
    if (time.end > 0.0 && time.step > 0.0 && time.end / time.step > most_steps)
    {
-      reading.Complain("time.step", "the end time of " + ToText(time.end) +
+      reading.AddError("time.step", "the end time of " + ToText(time.end) +
                                        " would take " +
                                        ToText(time.end / time.step) +
                                        " steps; that is too many");
    }
    if (time.min_step > time.step)
    {
-      reading.Complain("time.min_step", "found " + ToText(time.min_step) +
+      reading.AddError("time.min_step", "found " + ToText(time.min_step) +
                                            "; it must not be above the time "
                                            "step, " +
                                            ToText(time.step));
    }
    if (time.max_step > 0.0 && time.max_step < time.step)
    {
-      reading.Complain("time.max_step", "found " + ToText(time.max_step) +
+      reading.AddError("time.max_step", "found " + ToText(time.max_step) +
                                            "; it must be at least the time "
                                            "step, " +
                                            ToText(time.step));
@@ -372,7 +372,7 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
 {
    if (setup.output.directory.empty())
    {
-      reading.Complain("output.directory", "the name is empty");
+      reading.AddError("output.directory", "the name is empty");
    }
    Once names(reading);
    for (size_t i = 0; i < setup.output.lines.size(); i++)
@@ -381,9 +381,9 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
       const std::string path = Path("output.line", i);
       if (line.line.name.empty())
       {
-         if (!reading.Complained(path + ".name"))
+         if (!reading.HasError(path + ".name"))
          {
-            reading.Complain(path + ".name", "the name is empty");
+            reading.AddError(path + ".name", "the name is empty");
          }
       }
       else
@@ -392,17 +392,16 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
                      "a line is called " + Quoted(line.line.name) + " already");
          CheckFileName(line.line.name, path + ".name", reading);
       }
-      if (line.line.from == line.line.to &&
-          !reading.Complained(path + ".from") &&
-          !reading.Complained(path + ".to"))
+      if (line.line.from == line.line.to && !reading.HasError(path + ".from") &&
+          !reading.HasError(path + ".to"))
       {
-         reading.Complain(path, "the line has no length");
+         reading.AddError(path, "the line has no length");
       }
       for (size_t k = 0; k < line.times.size(); k++)
       {
          if (!(line.times[k] > 0.0))
          {
-            reading.Complain(Path(path + ".times", k),
+            reading.AddError(Path(path + ".times", k),
                              "found " + ToText(line.times[k]) +
                                 "; it must be positive");
          }
@@ -412,14 +411,14 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
 
 void CheckMesh(const MeshCase &mesh, CaseReading &reading)
 {
-   if (mesh.file.empty() && !reading.Complained("mesh.file"))
+   if (mesh.file.empty() && !reading.HasError("mesh.file"))
    {
-      reading.Complain("mesh.file", "the name is empty");
+      reading.AddError("mesh.file", "the name is empty");
    }
    // Programs elsewhere are none of a case's business.
    if (mesh.generator.script.find_first_of("/\\ ") != std::string::npos)
    {
-      reading.Complain("mesh.generator",
+      reading.AddError("mesh.generator",
                        "found " + Quoted(mesh.generator.script) +
                           "; the first string must be the name of a script in "
                           "meshes/, without a path, and arguments are strings "

@@ -1,5 +1,5 @@
-#include "cases/case_codec.hpp"
-#include "general/text.hpp"
+#include "synovia/cases/case_codec.hpp"
+#include "synovia/general/text.hpp"
 
 #include <cmath>
 #include <limits>
@@ -74,7 +74,7 @@ void ReadInteger(const CaseValue &from, const std::string &path, Integer &value,
    if (from.integer > std::numeric_limits<Integer>::max() ||
        from.integer < std::numeric_limits<Integer>::min())
    {
-      reading.Complain(path, std::to_string(from.integer) +
+      reading.AddError(path, std::to_string(from.integer) +
                                 " is too large for an integer here");
       return;
    }
@@ -104,7 +104,7 @@ void CheckCurve(const Numbers &times, const Numbers &values,
 {
    if (times.empty() || times.size() != values.size())
    {
-      reading.Complain(path, "the curve has " + std::to_string(times.size()) +
+      reading.AddError(path, "the curve has " + std::to_string(times.size()) +
                                 " times and " + std::to_string(values.size()) +
                                 " values; give as many values as times, at "
                                 "least one");
@@ -114,7 +114,7 @@ void CheckCurve(const Numbers &times, const Numbers &values,
    {
       if (times[i] <= times[i - 1])
       {
-         reading.Complain(ItemPath(path + "." + curve_times, i),
+         reading.AddError(ItemPath(path + "." + curve_times, i),
                           "the times of a curve must ascend, but " +
                              ToText(times[i]) + " follows " +
                              ToText(times[i - 1]));
@@ -132,7 +132,7 @@ Numbers ReadPoints(const CaseValue &curve, const std::string &key,
    const std::string here = path + "." + key;
    if (!from)
    {
-      reading.Complain(path, "the curve has no \"" + key + "\"; write " +
+      reading.AddError(path, "the curve has no \"" + key + "\"; write " +
                                 CurveForms());
       return points;
    }
@@ -164,7 +164,7 @@ std::optional<LoadCurve> ReadCurve(const CaseValue &from,
       if (member.key != curve_times && member.key != curve_values)
       {
          reading.SetPlace(path + "." + member.key, member.place);
-         reading.Complain(path + "." + member.key,
+         reading.AddError(path + "." + member.key,
                           "a curve has no such key; write " + CurveForms());
       }
    }
@@ -331,7 +331,7 @@ void ReadValue(const CaseValue &from, const std::string &path, real_t &value,
    else if (!std::isfinite(from.number) ||
             std::abs(from.number) > largest_number)
    {
-      reading.Complain(path, "found " + ShortestNumber(from.number) +
+      reading.AddError(path, "found " + ShortestNumber(from.number) +
                                 "; numbers must be finite and at most " +
                                 ToText(largest_number));
    }
@@ -353,7 +353,7 @@ void ReadValue(const CaseValue &from, const std::string &path,
    {
       if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       {
-         reading.Complain(path, "found " + from.Describe() +
+         reading.AddError(path, "found " + from.Describe() +
                                    "; there must be no control characters");
          return;
       }
@@ -471,7 +471,7 @@ void ReadValue(const CaseValue &from, const std::string &path,
       ReadValue(from.items[i], ItemPath(path, i), words[i], reading);
    }
    if (words.empty() ||
-       (words.front().empty() && !reading.Complained(ItemPath(path, 0))))
+       (words.front().empty() && !reading.HasError(ItemPath(path, 0))))
    {
       reading.Expect(path, expected, from);
       return;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_file.hpp"
-#include "general/load_curve.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/general/load_curve.hpp"
 
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
-#include "cases/case_difference.hpp"
-#include "cases/case_keys.hpp"
+#include "synovia/cases/case_difference.hpp"
+#include "synovia/cases/case_keys.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/case_file.hpp"
+#include "synovia/cases/case_file.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "cases/case_file.hpp"
-#include "cases/case_checks.hpp"
-#include "cases/case_keys.hpp"
-#include "general/root_rank.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/cases/case_checks.hpp"
+#include "synovia/cases/case_keys.hpp"
+#include "synovia/general/root_rank.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "cases/case_reading.hpp"
-#include "general/load_curve.hpp"
-#include "io/line_sampler.hpp"
-#include "physics/biphasic_problem.hpp"
-#include "solvers/time_stepper.hpp"
+#include "synovia/cases/case_reading.hpp"
+#include "synovia/general/load_curve.hpp"
+#include "synovia/io/line_sampler.hpp"
+#include "synovia/physics/biphasic_problem.hpp"
+#include "synovia/time/time_stepper.hpp"
 
 #include <array>
 #include <iosfwd>
@@ -48,7 +48,7 @@ struct SolidCase
    /// Young's modulus (stress) and Poisson's ratio of the drained solid.
    mfem::real_t young = 0.0;
    mfem::real_t poisson = 0.0;
-   /// Transversely isotropic: fibres along theta.
+   /// Transversely isotropic: fibers along theta.
    mfem::real_t young_r = 0.0;
    mfem::real_t young_theta = 0.0;
    mfem::real_t poisson_rtheta = 0.0;
@@ -79,9 +79,9 @@ struct FrameCase
 {
    FrameType type = FrameType::cartesian;
    std::array<mfem::real_t, 3> origin{{0.0, 0.0, 0.0}};
-   /// Surfaces midway between whose centres the origin is instead.
+   /// Surfaces midway between whose centers the origin is instead.
    std::vector<std::string> between;
-   /// Surfaces the origin is at the centre of instead: of the circle that fits
+   /// Surfaces the origin is at the center of instead: of the circle that fits
    /// them best, seen along the axis.
    std::vector<std::string> around;
    std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};

@@ -1,4 +1,4 @@
-#include "cases/case_keys.hpp"
+#include "synovia/cases/case_keys.hpp"
 
 namespace synovia
 {
@@ -41,7 +41,7 @@ KeyTable SpaceKeys(SpaceOptions &space)
    keys
       .Value("order", space.order, "",
              "order of the displacement, the pressure has one less; 1 is "
-             "stabilised equal order")
+             "stabilized equal order")
       .From(1, highest_order)
       .Named("the order of the displacement");
    return keys;
@@ -50,11 +50,11 @@ KeyTable SpaceKeys(SpaceOptions &space)
 KeyTable SolidKeys(SolidCase &solid)
 {
    const char *const isotropic = "isotropic";
-   const char *const fibres = "transversely_isotropic";
+   const char *const fibers = "transversely_isotropic";
    KeyTable keys;
    keys.Word<SolidModel>("model", solid.model,
                          {{isotropic, SolidModel::isotropic},
-                          {fibres, SolidModel::transversely_isotropic}},
+                          {fibers, SolidModel::transversely_isotropic}},
                          "law of the drained solid");
    keys.Value("E", solid.young, stress, "Young's modulus")
       .OnlyFor(isotropic)
@@ -66,29 +66,29 @@ KeyTable SolidKeys(SolidCase &solid)
       .Required()
       .Inside(-1.0, 0.5)
       .Named("Poisson's ratio");
-   keys.Value("E_r", solid.young_r, stress, "Young's modulus across the fibres")
-      .OnlyFor(fibres)
+   keys.Value("E_r", solid.young_r, stress, "Young's modulus across the fibers")
+      .OnlyFor(fibers)
       .Required()
       .Positive();
    keys
       .Value("E_theta", solid.young_theta, stress,
-             "Young's modulus along the fibres")
-      .OnlyFor(fibres)
+             "Young's modulus along the fibers")
+      .OnlyFor(fibers)
       .Required()
       .Positive();
    keys
       .Value("nu_rtheta", solid.poisson_rtheta, "",
-             "contraction along the fibres under tension across them")
-      .OnlyFor(fibres)
+             "contraction along the fibers under tension across them")
+      .OnlyFor(fibers)
       .Required();
    keys
-      .Value("nu_rz", solid.poisson_rz, "", "Poisson's ratio across the fibres")
-      .OnlyFor(fibres)
+      .Value("nu_rz", solid.poisson_rz, "", "Poisson's ratio across the fibers")
+      .OnlyFor(fibers)
       .Required();
    keys
       .Value("G_rtheta", solid.shear_rtheta, stress,
-             "shear modulus along the fibres")
-      .OnlyFor(fibres)
+             "shear modulus along the fibers")
+      .OnlyFor(fibers)
       .Required()
       .Positive();
    return keys;
@@ -120,14 +120,14 @@ KeyTable FrameKeys(FrameCase &frame)
    keys.Value("origin", frame.origin, length,
               "point on the axis of a cylindrical frame");
    keys.Value("between", frame.between, "",
-              "instead of the origin: it is midway between the centres of "
+              "instead of the origin: it is midway between the centers of "
               "these surfaces");
    keys.Value("around", frame.around, "",
-              "instead of the origin: it is at the centre of the circle that "
+              "instead of the origin: it is at the center of the circle that "
               "fits these surfaces, seen along the axis");
    keys.Value("axis", frame.axis, "",
-              "axis of a cylindrical frame, about which fibres run; direction "
-              "of the fibres in a cartesian one");
+              "axis of a cylindrical frame, about which fibers run; direction "
+              "of the fibers in a cartesian one");
    return keys;
 }
 
@@ -268,7 +268,7 @@ KeyTable TimeKeys(TimeOptions &time)
       .Positive()
       .Named("the time step");
    keys.Word<TimeScheme>("scheme", time.scheme, TimeSchemeWords(),
-                         "how time is discretised");
+                         "how time is discretized");
    keys.Value("adaptive", time.adaptive, "",
               "whether the length of steps follows from the error");
    keys
@@ -302,8 +302,8 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .From(1, 100000);
    keys
       .Value("direct_below", linear.direct_below, "",
-             "for \"auto\": up to this many unknowns a factorisation is kept; "
-             "twice as many with stiff fibres")
+             "for \"auto\": up to this many unknowns a factorization is kept; "
+             "twice as many with stiff fibers")
       .AtLeast(0);
    keys.Word<DirectLibrary>(
       "direct", linear.direct.library, DirectLibraryWords(),
@@ -314,7 +314,7 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .From(0, 100000000);
    keys
       .Value("renew_after", linear.renew_after, "",
-             "iterations lost to an old factorisation until it is renewed")
+             "iterations lost to an old factorization until it is renewed")
       .From(1, 100000);
    keys
       .Value("max_newton", solver.max_newton, "",

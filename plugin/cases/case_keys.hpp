@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_file.hpp"
-#include "cases/key_table.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/cases/key_table.hpp"
 
 namespace synovia
 {

@@ -1,5 +1,5 @@
-#include "cases/case_mesh.hpp"
-#include "general/root_rank.hpp"
+#include "synovia/cases/case_mesh.hpp"
+#include "synovia/general/root_rank.hpp"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
-#include "cases/case_value.hpp"
-#include "general/error.hpp"
-#include "general/suggestion.hpp"
+#include "synovia/cases/case_value.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/suggestion.hpp"
 
 namespace synovia
 {

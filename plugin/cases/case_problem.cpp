@@ -1,9 +1,9 @@
-#include "cases/case_problem.hpp"
-#include "general/error.hpp"
-#include "materials/isotropic_elastic.hpp"
-#include "materials/transversely_isotropic.hpp"
-#include "mesh/surface_centre.hpp"
-#include "physics/body.hpp"
+#include "synovia/cases/case_problem.hpp"
+#include "synovia/fem/body.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/materials/isotropic_elastic.hpp"
+#include "synovia/materials/transversely_isotropic.hpp"
+#include "synovia/mesh/surface_center.hpp"
 
 #include <map>
 
@@ -91,7 +91,7 @@ private:
          }
          catch (const Error &error) // on all ranks alike
          {
-            reading.Complain(path + "." + std::to_string(i), error.what());
+            reading.AddError(path + "." + std::to_string(i), error.what());
          }
       }
       return all;
@@ -113,7 +113,7 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
          const auto [first, fresh] = given.emplace(region, path);
          if (!fresh)
          {
-            reading.Complain(path,
+            reading.AddError(path,
                              "the region \"" + NameOf(mesh.Regions(), region) +
                                 "\" has a material already (" +
                                 WhereIs(reading.Places(), first->second) + ")");
@@ -127,7 +127,7 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
    {
       if (!given.count(region) && !reading.Count())
       {
-         reading.Complain("material", "the region \"" +
+         reading.AddError("material", "the region \"" +
                                          NameOf(mesh.Regions(), region) +
                                          "\" has no material");
       }
@@ -163,7 +163,7 @@ void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
       {
          if (!body.Touches(touching) && !body.Touches(held[d]))
          {
-            reading.Complain("boundary", "nothing holds \"" + body.name +
+            reading.AddError("boundary", "nothing holds \"" + body.name +
                                             "\" along " + axes[d] +
                                             "; prescribe that displacement on "
                                             "one of its surfaces");
@@ -186,7 +186,7 @@ void CheckDirectLibrary(const CaseFile &setup, const NamedMesh &mesh,
    }
    catch (const Error &error) // on all ranks alike
    {
-      reading.Complain("solver.direct", error.what());
+      reading.AddError("solver.direct", error.what());
    }
 }
 
@@ -207,7 +207,7 @@ Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
    {
       Array<int> surfaces;
       Append(mesh, frame.around, surfaces);
-      return CentreOfCircle(mesh.Get(), surfaces, frame.axis);
+      return CenterOfCircle(mesh.Get(), surfaces, frame.axis);
    }
    if (frame.between.empty())
    {
@@ -217,7 +217,7 @@ Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
    for (const std::string &surface : frame.between)
    {
       origin = Sum(origin, 1.0 / frame.between.size(),
-                   CentreOfArea(mesh.Get(), mesh.Boundary(surface)));
+                   CenterOfArea(mesh.Get(), mesh.Boundary(surface)));
    }
    return origin;
 }
@@ -240,7 +240,7 @@ std::unique_ptr<SolidLaw> MakeSolid(const SolidCase &solid,
    {
       return std::make_unique<IsotropicElastic>(solid.young, solid.poisson);
    }
-   FibreConstants constants;
+   FiberConstants constants;
    constants.young_r = solid.young_r;
    constants.young_theta = solid.young_theta;
    constants.poisson_rtheta = solid.poisson_rtheta;
@@ -264,7 +264,7 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    }
    catch (const Error &error) // on all ranks alike
    {
-      reading.Complain("material", error.what());
+      reading.AddError("material", error.what());
       reading.ThrowIfAny();
    }
    for (const BoundaryCase &boundary : setup.boundaries)
@@ -292,7 +292,7 @@ void CaseProblem::SetMaterials(const CaseFile &setup)
       catch (const Error &error) // on all ranks alike
       {
          CaseReading reading(setup.places);
-         reading.Complain("material." + std::to_string(i), error.what());
+         reading.AddError("material." + std::to_string(i), error.what());
          reading.ThrowIfAny();
       }
       permeabilities.push_back(

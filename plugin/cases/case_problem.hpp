@@ -1,9 +1,9 @@
 #pragma once
 
-#include "cases/case_file.hpp"
-#include "materials/material_frame.hpp"
-#include "mesh/named_mesh.hpp"
-#include "physics/biphasic_problem.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/materials/material_frame.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/physics/biphasic_problem.hpp"
 
 #include <memory>
 #include <vector>

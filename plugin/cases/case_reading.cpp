@@ -1,5 +1,5 @@
-#include "cases/case_reading.hpp"
-#include "general/error.hpp"
+#include "synovia/cases/case_reading.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -46,7 +46,7 @@ void CaseReading::SetPlace(const std::string &path, const CasePlace &place)
    places[path] = place;
 }
 
-void CaseReading::Complain(const std::string &path, const std::string &problem)
+void CaseReading::AddError(const std::string &path, const std::string &problem)
 {
    const CasePlace place = Nearest(places, path);
    complaints.push_back({place, path, Prefixed(place, path) + ": " + problem});
@@ -55,13 +55,13 @@ void CaseReading::Complain(const std::string &path, const std::string &problem)
 void CaseReading::Expect(const std::string &path, const std::string &expected,
                          const CaseValue &found)
 {
-   Complain(path, "found " + found.Describe() + "; expected " + expected);
+   AddError(path, "found " + found.Describe() + "; expected " + expected);
 }
 
-bool CaseReading::Complained(const std::string &path) const
+bool CaseReading::HasError(const std::string &path) const
 {
    return std::any_of(complaints.begin(), complaints.end(),
-                      [&](const Complaint &complaint)
+                      [&](const CaseError &complaint)
                       { return complaint.path == path; });
 }
 
@@ -71,9 +71,9 @@ void CaseReading::ThrowIfAny() const
    {
       return;
    }
-   std::vector<Complaint> sorted(complaints);
+   std::vector<CaseError> sorted(complaints);
    std::stable_sort(sorted.begin(), sorted.end(),
-                    [](const Complaint &a, const Complaint &b)
+                    [](const CaseError &a, const CaseError &b)
                     {
                        return std::tie(a.place.line, a.place.column) <
                               std::tie(b.place.line, b.place.column);

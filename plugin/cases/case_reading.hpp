@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/case_value.hpp"
+#include "synovia/cases/case_value.hpp"
 
 #include <map>
 #include <string>
@@ -27,12 +27,12 @@ public:
    void SetPlace(const std::string &path, const CasePlace &place);
    const CasePlaces &Places() const { return places; }
 
-   void Complain(const std::string &path, const std::string &problem);
+   void AddError(const std::string &path, const std::string &problem);
    /// For a value of the wrong type.
    void Expect(const std::string &path, const std::string &expected,
                const CaseValue &found);
    /// Whether there is a complaint about this path.
-   bool Complained(const std::string &path) const;
+   bool HasError(const std::string &path) const;
    size_t Count() const { return complaints.size(); }
 
    /// Throws Error with the complaints in the order of the file, ten of them at
@@ -40,7 +40,7 @@ public:
    void ThrowIfAny() const;
 
 private:
-   struct Complaint
+   struct CaseError
    {
       CasePlace place;
       std::string path;
@@ -48,7 +48,7 @@ private:
    };
 
    CasePlaces places;
-   std::vector<Complaint> complaints;
+   std::vector<CaseError> complaints;
 };
 
 } // namespace synovia

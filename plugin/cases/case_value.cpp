@@ -1,4 +1,4 @@
-#include "cases/case_value.hpp"
+#include "synovia/cases/case_value.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,5 +1,5 @@
-#include "cases/case_words.hpp"
-#include "general/error.hpp"
+#include "synovia/cases/case_words.hpp"
+#include "synovia/general/error.hpp"
 
 namespace synovia
 {

@@ -1,7 +1,7 @@
-#include "cases/contact_check.hpp"
-#include "general/error.hpp"
-#include "general/reduce.hpp"
-#include "physics/first_approach.hpp"
+#include "synovia/cases/contact_check.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/physics/first_approach.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -58,7 +58,7 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
       }
       catch (const Error &error) // on all ranks alike
       {
-         reading.Complain("contact." + std::to_string(i), error.what());
+         reading.AddError("contact." + std::to_string(i), error.what());
       }
    };
    for (size_t i = 0; i < setup.contacts.size(); i++)

@@ -1,6 +1,6 @@
-#include "cases/key_table.hpp"
-#include "general/suggestion.hpp"
-#include "general/text.hpp"
+#include "synovia/cases/key_table.hpp"
+#include "synovia/general/suggestion.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -68,9 +68,9 @@ public:
       }
       ReadValue(from, path, value, reading);
       // In a file the word says it.
-      if (!reading.Complained(path) && !(value > 0.0))
+      if (!reading.HasError(path) && !(value > 0.0))
       {
-         reading.Complain(path, "found " + ToText(value) +
+         reading.AddError(path, "found " + ToText(value) +
                                    "; it must be positive, or \"" + auto_word +
                                    "\"");
       }
@@ -171,7 +171,7 @@ int ReadWord(const CaseValue &from, const std::string &path,
    const auto found = std::find(words.begin(), words.end(), from.text);
    if (found == words.end())
    {
-      reading.Complain(path, "found " + from.Describe() + "; expected " +
+      reading.AddError(path, "found " + from.Describe() + "; expected " +
                                 WordsType(words) +
                                 DidYouMean(from.text, words));
       return -1;
@@ -307,7 +307,7 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
       if (!Find(member.key))
       {
          reading.SetPlace(here, member.place);
-         reading.Complain(
+         reading.AddError(
             here, "there is no such key; there are: " + JoinedNames(Names()) +
                      DidYouMean(member.key, Names()));
       }
@@ -328,21 +328,21 @@ void KeyTable::Read(const CaseValue &from, const std::string &path,
       if (!key.former_name.empty() && from.Find(key.former_name) &&
           from.Find(key.name))
       {
-         reading.Complain(here, "it is there as \"" + key.former_name +
+         reading.AddError(here, "it is there as \"" + key.former_name +
                                    "\", its former name, too");
       }
-      if (!key.only_for.empty() && reading.Complained(Joined(path, ModelKey())))
+      if (!key.only_for.empty() && reading.HasError(Joined(path, ModelKey())))
       {
          continue; // nobody knows for what
       }
       if (given && !Applies(key))
       {
-         reading.Complain(here, "this goes with " + Quoted(key.only_for) +
+         reading.AddError(here, "this goes with " + Quoted(key.only_for) +
                                    ", not with " + Model());
       }
       else if (!given && key.required && Applies(key))
       {
-         reading.Complain(here,
+         reading.AddError(here,
                           "this is missing" + (key.meaning.empty()
                                                   ? std::string()
                                                   : " (" + key.meaning + ")"));
@@ -361,7 +361,7 @@ void KeyTable::Check(const std::string &path, CaseReading &reading)
    for (CaseKey &key : keys)
    {
       const std::string here = Joined(path, key.name);
-      if (!Applies(key) || reading.Complained(here))
+      if (!Applies(key) || reading.HasError(here))
       {
          continue;
       }
@@ -377,7 +377,7 @@ void KeyTable::Check(const std::string &path, CaseReading &reading)
          key.value ? key.value->Number() : std::nullopt;
       if (number && !key.range.Has(*number))
       {
-         reading.Complain(
+         reading.AddError(
             here, (key.noun.empty() ? "found " : key.noun + " is ") +
                      ToText(*number) + "; it must be " + key.range.Text());
       }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_codec.hpp"
-#include "cases/case_words.hpp"
+#include "synovia/cases/case_codec.hpp"
+#include "synovia/cases/case_words.hpp"
 
 #include <functional>
 #include <iosfwd>

@@ -1,5 +1,5 @@
-#include "cases/case_value.hpp"
-#include "general/error.hpp"
+#include "synovia/cases/case_value.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 #include <stdexcept>

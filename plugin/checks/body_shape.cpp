@@ -1,6 +1,6 @@
-#include "checks/body_shape.hpp"
-#include "checks/triangulated_surface.hpp"
-#include "general/reduce_lists.hpp"
+#include "synovia/checks/body_shape.hpp"
+#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/general/reduce_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,10 +113,10 @@ std::vector<Weighted> WaysThrough(ParMesh &mesh, const Body &body,
       {
          const Point3 area = AreaVector(t);
          const real_t twice = Length(area);
-         const Point3 centre = Sum(
+         const Point3 center = Sum(
             Sum(Sum({0, 0, 0}, 1.0 / 3, t[0]), 1.0 / 3, t[1]), 1.0 / 3, t[2]);
          const real_t way =
-            outside.WayThrough(centre, Sum({0, 0, 0}, -1.0 / twice, area));
+            outside.WayThrough(center, Sum({0, 0, 0}, -1.0 / twice, area));
          if (std::isfinite(way))
          {
             ways.push_back({way, twice});

@@ -1,7 +1,7 @@
-#include "checks/body_warnings.hpp"
-#include "checks/body_shape.hpp"
-#include "checks/contact_grip.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/body_warnings.hpp"
+#include "synovia/checks/body_shape.hpp"
+#include "synovia/checks/contact_grip.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>

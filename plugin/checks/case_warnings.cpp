@@ -1,9 +1,9 @@
-#include "checks/case_warnings.hpp"
-#include "checks/body_warnings.hpp"
-#include "checks/cut_planes.hpp"
-#include "checks/material_warnings.hpp"
-#include "checks/time_warnings.hpp"
-#include "checks/unit_warnings.hpp"
+#include "synovia/checks/case_warnings.hpp"
+#include "synovia/checks/body_warnings.hpp"
+#include "synovia/checks/cut_planes.hpp"
+#include "synovia/checks/material_warnings.hpp"
+#include "synovia/checks/time_warnings.hpp"
+#include "synovia/checks/unit_warnings.hpp"
 
 namespace synovia
 {

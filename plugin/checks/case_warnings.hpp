@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/contact_check.hpp"
-#include "checks/region_measures.hpp"
+#include "synovia/cases/contact_check.hpp"
+#include "synovia/checks/region_measures.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "checks/contact_grip.hpp"
-#include "cases/case_problem.hpp"
-#include "checks/body_shape.hpp"
-#include "checks/layer_loads.hpp"
-#include "checks/triangulated_surface.hpp"
-#include "general/reduce_lists.hpp"
+#include "synovia/checks/contact_grip.hpp"
+#include "synovia/cases/case_problem.hpp"
+#include "synovia/checks/body_shape.hpp"
+#include "synovia/checks/layer_loads.hpp"
+#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/general/reduce_lists.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_file.hpp"
-#include "physics/body.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/fem/body.hpp"
 
 #include <array>
 #include <vector>

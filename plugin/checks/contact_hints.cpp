@@ -1,5 +1,5 @@
-#include "checks/contact_hints.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/contact_hints.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>

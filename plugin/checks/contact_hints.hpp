@@ -1,7 +1,7 @@
 #pragma once
 
-#include "checks/contact_sides.hpp"
-#include "checks/layer_loads.hpp"
+#include "synovia/checks/contact_sides.hpp"
+#include "synovia/checks/layer_loads.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "checks/contact_sides.hpp"
-#include "checks/body_shape.hpp"
-#include "checks/triangulated_surface.hpp"
-#include "checks/vertex_normals.hpp"
-#include "general/reduce.hpp"
-#include "general/reduce_lists.hpp"
+#include "synovia/checks/contact_sides.hpp"
+#include "synovia/checks/body_shape.hpp"
+#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/checks/vertex_normals.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/reduce_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ public:
    {
    }
 
-   /// Of the faces whose centres are in the @a zone.
+   /// Of the faces whose centers are in the @a zone.
    ContactSide Measure(const Box &zone) const
    {
       const VertexNormals normals(problem.Get().Spaces(), surfaces);
@@ -125,9 +125,9 @@ public:
                                         .Get(RegionBehind(mesh, i))
                                         .solid->AggregateModulus());
          const FaceCorners face = normals.Corners(i);
-         const Point3 centre = face.Centre();
+         const Point3 center = face.Center();
          Box at;
-         at.Add(centre);
+         at.Add(center);
          if (at.Meets(zone))
          {
             Add(i, face, sums);

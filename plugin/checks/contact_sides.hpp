@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/contact_check.hpp"
+#include "synovia/cases/contact_check.hpp"
 
 #include <vector>
 

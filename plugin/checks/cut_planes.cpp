@@ -1,9 +1,9 @@
-#include "checks/cut_planes.hpp"
-#include "checks/body_shape.hpp"
-#include "checks/surface_conditions.hpp"
-#include "checks/triangulated_surface.hpp"
-#include "general/reduce_lists.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/cut_planes.hpp"
+#include "synovia/checks/body_shape.hpp"
+#include "synovia/checks/surface_conditions.hpp"
+#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/general/reduce_lists.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>

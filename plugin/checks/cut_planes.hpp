@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_problem.hpp"
-#include "physics/body.hpp"
+#include "synovia/cases/case_problem.hpp"
+#include "synovia/fem/body.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "checks/element_measures.hpp"
-#include "general/reduce_lists.hpp"
-#include "general/text_table.hpp"
-#include "mesh/element_measure.hpp"
-#include "mesh/mesh_quality.hpp"
+#include "synovia/checks/element_measures.hpp"
+#include "synovia/general/reduce_lists.hpp"
+#include "synovia/general/text_table.hpp"
+#include "synovia/mesh/element_measure.hpp"
+#include "synovia/mesh/mesh_quality.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include "checks/layer_loads.hpp"
-#include "checks/surface_measures.hpp"
+#include "synovia/checks/layer_loads.hpp"
+#include "synovia/checks/surface_measures.hpp"
 
 #include <algorithm>
 #include <cmath>

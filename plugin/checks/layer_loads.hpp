@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cases/contact_check.hpp"
-#include "checks/region_measures.hpp"
-#include "physics/body.hpp"
+#include "synovia/cases/contact_check.hpp"
+#include "synovia/checks/region_measures.hpp"
+#include "synovia/fem/body.hpp"
 
 #include <string>
 #include <vector>

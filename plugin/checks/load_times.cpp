@@ -1,4 +1,4 @@
-#include "checks/load_times.hpp"
+#include "synovia/checks/load_times.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include "checks/material_warnings.hpp"
-#include "general/text.hpp"
+#include "synovia/checks/material_warnings.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

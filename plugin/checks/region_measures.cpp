@@ -1,5 +1,5 @@
-#include "checks/region_measures.hpp"
-#include "checks/body_shape.hpp"
+#include "synovia/checks/region_measures.hpp"
+#include "synovia/checks/body_shape.hpp"
 
 namespace synovia
 {
@@ -26,7 +26,7 @@ std::vector<RegionMeasures> MeasureRegions(const CaseFile &setup,
       region.name = NameOf(named.Regions(), attribute);
       region.attribute = attribute;
       region.aggregate_modulus = material.solid->AggregateModulus();
-      region.permeability = material.permeability->Typical();
+      region.permeability = material.permeability->ReferenceValue();
       region.thickness = thickness[body_of[attribute]];
       region.drainage_length = drainage[attribute];
       region.gel_time = region.drainage_length * region.drainage_length /

@@ -1,6 +1,6 @@
-#include "checks/region_stiffness.hpp"
-#include "general/reduce_lists.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/region_stiffness.hpp"
+#include "synovia/general/reduce_lists.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ std::vector<StiffnessRange> VerifiedStiffness(const CaseFile &setup,
       if (!(ranges[i].least > 0.0) || !std::isfinite(ranges[i].largest))
       {
          const int region = mesh.Get().attributes[static_cast<int>(i)];
-         reading.Complain(
+         reading.AddError(
             PathOfMaterial(setup, mesh, region) + ".solid",
             "the stiffness of \"" + NameOf(mesh.Regions(), region) +
                "\" is not positive definite: its eigenvalues go from " +

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases/case_problem.hpp"
-#include "materials/stiffness_range.hpp"
+#include "synovia/cases/case_problem.hpp"
+#include "synovia/materials/stiffness_range.hpp"
 
 #include <vector>
 

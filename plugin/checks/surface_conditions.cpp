@@ -1,5 +1,5 @@
-#include "checks/surface_conditions.hpp"
-#include "checks/layer_loads.hpp"
+#include "synovia/checks/surface_conditions.hpp"
+#include "synovia/checks/layer_loads.hpp"
 
 namespace synovia
 {

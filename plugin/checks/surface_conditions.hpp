@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/case_problem.hpp"
+#include "synovia/cases/case_problem.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cases/case_file.hpp"
-#include "general/point3.hpp"
-#include "mesh/named_mesh.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/general/point3.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <string>
 #include <vector>

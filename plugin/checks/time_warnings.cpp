@@ -1,6 +1,6 @@
-#include "checks/time_warnings.hpp"
-#include "checks/load_times.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/time_warnings.hpp"
+#include "synovia/checks/load_times.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "checks/triangulated_surface.hpp"
+#include "synovia/checks/triangulated_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/bounding_volume_tree.hpp"
+#include "synovia/contact/bounding_volume_tree.hpp"
 
 #include <array>
 #include <functional>

@@ -1,5 +1,5 @@
-#include "checks/unit_signs.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/unit_signs.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "checks/layer_loads.hpp"
-#include "checks/load_times.hpp"
+#include "synovia/checks/layer_loads.hpp"
+#include "synovia/checks/load_times.hpp"
 
 #include <string>
 #include <vector>

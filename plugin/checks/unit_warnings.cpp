@@ -1,6 +1,6 @@
-#include "checks/unit_warnings.hpp"
-#include "checks/unit_signs.hpp"
-#include "general/text_table.hpp"
+#include "synovia/checks/unit_warnings.hpp"
+#include "synovia/checks/unit_signs.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 

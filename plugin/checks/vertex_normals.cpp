@@ -1,4 +1,4 @@
-#include "checks/vertex_normals.hpp"
+#include "synovia/checks/vertex_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,14 +61,14 @@ real_t AngleAt(const std::vector<Point3> &points, size_t corner)
 }
 } // namespace
 
-Point3 FaceCorners::Centre() const
+Point3 FaceCorners::Center() const
 {
-   Point3 centre{{0.0, 0.0, 0.0}};
+   Point3 center{{0.0, 0.0, 0.0}};
    for (const Point3 &point : points)
    {
-      centre = Sum(centre, 1.0 / points.size(), point);
+      center = Sum(center, 1.0 / points.size(), point);
    }
-   return centre;
+   return center;
 }
 
 VertexNormals::VertexNormals(BiphasicSpaces &spaces_,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "general/point3.hpp"
-#include "physics/biphasic_spaces.hpp"
+#include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/general/point3.hpp"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct FaceCorners
    /// Whether the surface goes on around it, without an edge.
    std::vector<bool> smooth;
 
-   Point3 Centre() const;
+   Point3 Center() const;
 };
 
 /// The normals of a surface at its vertices: the mean of its faces', by area.

@@ -1,6 +1,6 @@
-#include "contact/adjacent_layer.hpp"
-#include "general/reduce.hpp"
-#include "mesh/element_measure.hpp"
+#include "synovia/contact/adjacent_layer.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/mesh/element_measure.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -61,7 +61,8 @@ real_t AdjacentLayer::LeastPermeability(const MaterialTable &materials) const
    real_t least = std::numeric_limits<real_t>::max();
    for (const int region : regions)
    {
-      least = std::min(least, materials.Get(region).permeability->Typical());
+      least =
+         std::min(least, materials.Get(region).permeability->ReferenceValue());
    }
    return least;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/material_table.hpp"
+#include "synovia/materials/material_table.hpp"
 
 namespace synovia
 {

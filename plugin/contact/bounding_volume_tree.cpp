@@ -1,4 +1,4 @@
-#include "contact/bounding_volume_tree.hpp"
+#include "synovia/contact/bounding_volume_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,14 +58,14 @@ real_t Box::LongestEdge() const
    return longest;
 }
 
-Point3 Box::Centre() const
+Point3 Box::Center() const
 {
-   Point3 centre;
+   Point3 center;
    for (int d = 0; d < 3; d++)
    {
-      centre[d] = 0.5 * (low[d] + high[d]);
+      center[d] = 0.5 * (low[d] + high[d]);
    }
-   return centre;
+   return center;
 }
 
 bool Box::MeetsSegment(const Point3 &a, const Point3 &b) const
@@ -140,19 +140,19 @@ int BoundingVolumeTree::Build(const std::vector<Box> &boxes, int begin, int end)
    Node node;
    node.begin = begin;
    node.end = end;
-   Box centres;
+   Box centers;
    for (int i = begin; i < end; i++)
    {
       node.box.Add(boxes[order[i]]);
-      centres.Add(boxes[order[i]].Centre());
+      centers.Add(boxes[order[i]].Center());
    }
    if (end - begin > leaf_size)
    {
       int axis = 0;
       for (int d = 1; d < 3; d++)
       {
-         if (centres.high[d] - centres.low[d] >
-             centres.high[axis] - centres.low[axis])
+         if (centers.high[d] - centers.low[d] >
+             centers.high[axis] - centers.low[axis])
          {
             axis = d;
          }
@@ -162,8 +162,8 @@ int BoundingVolumeTree::Build(const std::vector<Box> &boxes, int begin, int end)
                        order.begin() + end,
                        [&](int i, int j)
                        {
-                          const real_t x = boxes[i].Centre()[axis];
-                          const real_t y = boxes[j].Centre()[axis];
+                          const real_t x = boxes[i].Center()[axis];
+                          const real_t y = boxes[j].Center()[axis];
                           return x < y || (x == y && i < j);
                        });
       node.left = Build(boxes, begin, middle);

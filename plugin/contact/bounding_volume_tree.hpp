@@ -1,6 +1,6 @@
 #pragma once
 
-#include "general/point3.hpp"
+#include "synovia/general/point3.hpp"
 
 #include <functional>
 #include <vector>
@@ -17,7 +17,7 @@ struct Box
    void Add(const Box &box);
    void Inflate(mfem::real_t length);
    mfem::real_t LongestEdge() const;
-   Point3 Centre() const;
+   Point3 Center() const;
    /// Whether the segment from @a a to @a b meets the box.
    bool MeetsSegment(const Point3 &a, const Point3 &b) const;
    bool Meets(const Box &box) const;

@@ -1,5 +1,5 @@
-#include "contact/clearance.hpp"
-#include "general/reduce.hpp"
+#include "synovia/contact/clearance.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <algorithm>
 

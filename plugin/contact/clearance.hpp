@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_pair.hpp"
+#include "synovia/contact/contact_pair.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
-#include "contact/contact_area.hpp"
-#include "contact/shared_dofs.hpp"
-#include "general/reduce.hpp"
+#include "synovia/contact/contact_area.hpp"
+#include "synovia/contact/shared_dofs.hpp"
+#include "synovia/general/reduce.hpp"
 
 namespace synovia
 {

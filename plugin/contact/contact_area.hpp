@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/contact_surface.hpp"
+#include "synovia/contact/contact_surface.hpp"
 
 #include <array>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "contact/contact_pair.hpp"
-#include "contact/adjacent_layer.hpp"
-#include "general/error.hpp"
-#include "general/reduce.hpp"
-#include "general/text.hpp"
-#include "physics/node_positions.hpp"
+#include "synovia/contact/contact_pair.hpp"
+#include "synovia/contact/adjacent_layer.hpp"
+#include "synovia/fem/node_positions.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -296,7 +296,7 @@ real_t ContactPair::TouchingGap() const
                                  : gap_tolerance;
 }
 
-void ContactPair::React()
+void ContactPair::UpdateTractions()
 {
    for (int j = 0; j < active.Size(); j++)
    {
@@ -337,7 +337,7 @@ bool ContactPair::UpdateActiveSet()
    assume_touching = false;
    release_nothing = false;
    predicting = false;
-   React();
+   UpdateTractions();
    return AnyRank(changed, comm);
 }
 

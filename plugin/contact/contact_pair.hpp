@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/gap_operators.hpp"
-#include "general/state_archive.hpp"
-#include "materials/material_table.hpp"
+#include "synovia/contact/gap_operators.hpp"
+#include "synovia/general/state_archive.hpp"
+#include "synovia/materials/material_table.hpp"
 
 #include <limits>
 #include <memory>
@@ -137,7 +137,7 @@ public:
    bool UpdateActiveSet();
 
    /// Traction and flux from the last Evaluate(), of the active set as it is.
-   void React();
+   void UpdateTractions();
 
    /// 1 for the vertices of either surface that this pair seals. Collective.
    mfem::Vector SealedVertices() const;

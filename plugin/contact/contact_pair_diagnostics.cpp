@@ -1,5 +1,5 @@
-#include "contact/contact_pair.hpp"
-#include "general/reduce.hpp"
+#include "synovia/contact/contact_pair.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "contact/contact_surface.hpp"
-#include "mesh/boundary_marker.hpp"
+#include "synovia/contact/contact_surface.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 
 namespace synovia
 {

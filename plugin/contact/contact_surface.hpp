@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/bounding_volume_tree.hpp"
-#include "contact/face_polynomial.hpp"
-#include "physics/biphasic_spaces.hpp"
+#include "synovia/contact/bounding_volume_tree.hpp"
+#include "synovia/contact/face_polynomial.hpp"
+#include "synovia/fem/biphasic_spaces.hpp"
 
 #include <vector>
 

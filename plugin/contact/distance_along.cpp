@@ -1,6 +1,6 @@
-#include "contact/distance_along.hpp"
-#include "contact/surface_search.hpp"
-#include "general/reduce.hpp"
+#include "synovia/contact/distance_along.hpp"
+#include "synovia/contact/surface_search.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <algorithm>
 #include <limits>

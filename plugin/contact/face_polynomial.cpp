@@ -1,4 +1,4 @@
-#include "contact/face_polynomial.hpp"
+#include "synovia/contact/face_polynomial.hpp"
 
 namespace synovia
 {
@@ -31,7 +31,7 @@ constexpr Point3 zero{{0.0, 0.0, 0.0}};
 
 FacePolynomial::FacePolynomial(const FiniteElement &element)
    : order(element.GetOrder()), complete(IsComplete(element)),
-     centre(Geometries.GetCenter(element.GetGeomType())),
+     center(Geometries.GetCenter(element.GetGeomType())),
      coefficients(3, element.GetDof())
 {
    MFEM_VERIFY(element.GetDim() == 2, "a face has two reference coordinates");
@@ -42,13 +42,13 @@ DenseMatrix FacePolynomial::PowersFromNodes(const FiniteElement &element)
 {
    const int order = element.GetOrder();
    const bool complete = IsComplete(element);
-   const IntegrationPoint &centre = Geometries.GetCenter(element.GetGeomType());
+   const IntegrationPoint &center = Geometries.GetCenter(element.GetGeomType());
    const IntegrationRule &nodes = element.GetNodes();
    DenseMatrix powers(element.GetDof());
    for (int k = 0; k < nodes.GetNPoints(); k++)
    {
-      const real_t s = nodes.IntPoint(k).x - centre.x;
-      const real_t t = nodes.IntPoint(k).y - centre.y;
+      const real_t s = nodes.IntPoint(k).x - center.x;
+      const real_t t = nodes.IntPoint(k).y - center.y;
       int row = 0;
       real_t t_power = 1.0;
       for (int j = 0; j <= order; j++)
@@ -73,8 +73,8 @@ DenseMatrix FacePolynomial::PowersFromNodes(const FiniteElement &element)
 // derivative takes up the one below before that moves on.
 SurfacePoint FacePolynomial::operator()(real_t xi, real_t eta) const
 {
-   const real_t s = xi - centre.x;
-   const real_t t = eta - centre.y;
+   const real_t s = xi - center.x;
+   const real_t t = eta - center.y;
    SurfacePoint point{zero, {zero, zero}};
    int end = coefficients.Width();
    for (int j = order; j >= 0; j--)
@@ -95,8 +95,8 @@ SurfacePoint FacePolynomial::operator()(real_t xi, real_t eta) const
 
 BentSurfacePoint FacePolynomial::Bent(real_t xi, real_t eta) const
 {
-   const real_t s = xi - centre.x;
-   const real_t t = eta - centre.y;
+   const real_t s = xi - center.x;
+   const real_t t = eta - center.y;
    BentSurfacePoint bent{{zero, {zero, zero}}, {zero, zero, zero}};
    SurfacePoint &point = bent.point;
    std::array<Point3, 3> &second = bent.second;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "general/point3.hpp"
+#include "synovia/general/point3.hpp"
 
 namespace synovia
 {
@@ -43,7 +43,7 @@ struct BentSurfacePoint
 };
 
 /// A function on a reference triangle or square, with values in space, as
-/// powers of the distance from the reference element's centre: it and its
+/// powers of the distance from the reference element's center: it and its
 /// derivatives are evaluated faster than shape functions are.
 class FacePolynomial
 {
@@ -73,7 +73,7 @@ private:
 
    int order = 0;
    bool complete = false;
-   mfem::IntegrationPoint centre;
+   mfem::IntegrationPoint center;
    mfem::DenseMatrix coefficients;
 };
 

@@ -1,8 +1,8 @@
-#include "contact/gap_operators.hpp"
-#include "contact/parallel_triplets.hpp"
-#include "contact/segmentation.hpp"
-#include "contact/shared_dofs.hpp"
-#include "contact/surface_search.hpp"
+#include "synovia/contact/gap_operators.hpp"
+#include "synovia/contact/segmentation.hpp"
+#include "synovia/contact/shared_dofs.hpp"
+#include "synovia/contact/surface_search.hpp"
+#include "synovia/general/parallel_triplets.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/contact_area.hpp"
-#include "contact/contact_surface.hpp"
+#include "synovia/contact/contact_area.hpp"
+#include "synovia/contact/contact_surface.hpp"
 
 #include <array>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "contact/polygon_clip.hpp"
+#include "synovia/contact/polygon_clip.hpp"
 
 namespace synovia
 {

@@ -1,6 +1,6 @@
-#include "contact/segmentation.hpp"
-#include "contact/exchange.hpp"
-#include "contact/polygon_clip.hpp"
+#include "synovia/contact/segmentation.hpp"
+#include "synovia/contact/polygon_clip.hpp"
+#include "synovia/general/exchange.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace
 // An edge whose middle is farther than this part of its length from the line
 // between its ends is taken for bent.
 constexpr real_t straight = 1e-3;
-// Beyond this many reference coordinates from a face's centre, its own map says
-// nothing about where a point lies; the tangent plane at the centre does.
+// Beyond this many reference coordinates from a face's center, its own map says
+// nothing about where a point lies; the tangent plane at the center does.
 constexpr real_t reach_of_map = 4.0;
 
 /// The global numbers of the two vertices that a corner lies between, the
@@ -182,13 +182,13 @@ class Projection
 {
 public:
    explicit Projection(const DeformedFace &face_)
-      : face(face_), centre(Geometries.GetCenter(face.GetGeometry())),
-        middle(face.CurrentBent(centre))
+      : face(face_), center(Geometries.GetCenter(face.GetGeometry())),
+        middle(face.CurrentBent(center))
    {
    }
 
    /// One corner has one image, whichever source face it belongs to, so that
-   /// the images of neighbours neither overlap nor leave a gap.
+   /// the images of neighbors neither overlap nor leave a gap.
    const Image &Project(const CornerName &name, const Point3 &point)
    {
       const auto [position, added] = images.try_emplace(name);
@@ -198,7 +198,7 @@ public:
          const SurfacePoint &at = middle.point;
          const Point3 d = Sum(point, -1.0, at.position);
          const Point2 step = Solve(Metric(at), d, at.tangents);
-         image.xi = {centre.x + step[0], centre.y + step[1]};
+         image.xi = {center.x + step[0], center.y + step[1]};
          image.distance = Dot(d, at.UnitNormal());
       }
       return image;
@@ -253,7 +253,7 @@ private:
       constexpr int max_iterations = 30;
       // Little more than round-off makes where faces are small.
       constexpr real_t small = 1e-12;
-      IntegrationPoint ip = centre;
+      IntegrationPoint ip = center;
       BentSurfacePoint at = middle;
       for (int i = 0; i < max_iterations; i++)
       {
@@ -261,8 +261,8 @@ private:
          const Point2 step = Solve(Hessian(at, d), d, at.point.tangents);
          ip.x += step[0];
          ip.y += step[1];
-         if (std::abs(ip.x - centre.x) > reach_of_map ||
-             std::abs(ip.y - centre.y) > reach_of_map)
+         if (std::abs(ip.x - center.x) > reach_of_map ||
+             std::abs(ip.y - center.y) > reach_of_map)
          {
             return false;
          }
@@ -278,7 +278,7 @@ private:
    }
 
    const DeformedFace &face;
-   const IntegrationPoint centre;
+   const IntegrationPoint center;
    const BentSurfacePoint middle;
    std::map<CornerName, Image> images;
 };

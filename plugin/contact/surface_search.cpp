@@ -1,5 +1,5 @@
-#include "contact/surface_search.hpp"
-#include "contact/exchange.hpp"
+#include "synovia/contact/surface_search.hpp"
+#include "synovia/general/exchange.hpp"
 
 #include <cmath>
 
@@ -40,7 +40,7 @@ bool Inside(Geometry::Type geometry, const IntegrationPoint &ip)
              : ip.x <= 1.0 + edge_tolerance && ip.y <= 1.0 + edge_tolerance;
 }
 
-// Solves x(xi, eta) = point + s normal by Newton's method from the centre; says
+// Solves x(xi, eta) = point + s normal by Newton's method from the center; says
 // how the face's normal there lies to the query's.
 bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
                    IntegrationPoint &ip, real_t &distance, real_t &cosine)

@@ -1,5 +1,5 @@
-#include "general/command_line.hpp"
-#include "general/error.hpp"
+#include "synovia/general/command_line.hpp"
+#include "synovia/general/error.hpp"
 
 #include <iostream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "general/error.hpp"
+#include "synovia/general/error.hpp"
 
 #include <iostream>
 

@@ -29,7 +29,7 @@ void ThrowIfAny(MPI_Comm comm, const std::string &local_message);
 /// Calls @a body and gives the exit status of the program: what the body
 /// returns, or 1 after an Error, whose text rank 0 writes to standard error.
 /// An exception of any other kind is taken to be of one rank only and aborts
-/// all ranks. MPI must be initialised.
+/// all ranks. MPI must be initialized.
 int RunMain(const std::string &program, int (*body)(int, char **), int argc,
             char **argv);
 

@@ -1,5 +1,5 @@
-#include "general/load_curve.hpp"
-#include "general/error.hpp"
+#include "synovia/general/load_curve.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 #include <cmath>

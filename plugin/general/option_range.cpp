@@ -1,6 +1,6 @@
-#include "general/option_range.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/general/option_range.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 #include <cmath>
 

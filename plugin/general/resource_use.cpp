@@ -1,5 +1,5 @@
-#include "general/resource_use.hpp"
-#include "general/reduce.hpp"
+#include "synovia/general/resource_use.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <limits>
 #include <sys/resource.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "general/error.hpp"
+#include "synovia/general/error.hpp"
 
 #include <mpi.h>
 

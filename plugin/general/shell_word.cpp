@@ -1,4 +1,4 @@
-#include "general/shell_word.hpp"
+#include "synovia/general/shell_word.hpp"
 
 namespace synovia
 {

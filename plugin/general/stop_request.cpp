@@ -1,4 +1,4 @@
-#include "general/stop_request.hpp"
+#include "synovia/general/stop_request.hpp"
 
 namespace synovia
 {

@@ -1,4 +1,4 @@
-#include "general/suggestion.hpp"
+#include "synovia/general/suggestion.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,7 @@ std::string Lower(std::string text)
    return text;
 }
 
-// Edit distance in which a swap of neighbours counts once.
+// Edit distance in which a swap of neighbors counts once.
 size_t EditDistance(const std::string &a, const std::string &b)
 {
    const size_t n = b.size();

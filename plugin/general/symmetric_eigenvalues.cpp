@@ -1,4 +1,4 @@
-#include "general/symmetric_eigenvalues.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
 
 #include <algorithm>
 #include <cmath>

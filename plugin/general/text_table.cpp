@@ -1,4 +1,4 @@
-#include "general/text_table.hpp"
+#include "synovia/general/text_table.hpp"
 
 #include <algorithm>
 #include <iomanip>

@@ -1,4 +1,4 @@
-#include "general/utc_time.hpp"
+#include "synovia/general/utc_time.hpp"
 
 #include <ctime>
 

@@ -1,4 +1,4 @@
-#include "general/version.hpp"
+#include "synovia/general/version.hpp"
 
 #include "mfem.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/canonical_order.hpp"
+#include "synovia/io/canonical_order.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
-#include "io/checkpoint.hpp"
-#include "general/root_rank.hpp"
-#include "io/canonical_order.hpp"
-#include "io/checkpoint_directory.hpp"
-#include "io/output_directory.hpp"
-#include "io/problem_fingerprint.hpp"
+#include "synovia/io/checkpoint.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/canonical_order.hpp"
+#include "synovia/io/checkpoint_directory.hpp"
+#include "synovia/io/output_directory.hpp"
+#include "synovia/io/problem_fingerprint.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/checkpoint_file.hpp"
-#include "solvers/time_stepper.hpp"
+#include "synovia/io/checkpoint_file.hpp"
+#include "synovia/time/time_stepper.hpp"
 
 #include <string>
 

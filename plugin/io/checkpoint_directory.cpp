@@ -1,6 +1,6 @@
-#include "io/checkpoint_directory.hpp"
-#include "general/root_rank.hpp"
-#include "io/checkpoint_file.hpp"
+#include "synovia/io/checkpoint_directory.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/checkpoint_file.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
-#include "io/csv_row.hpp"
-#include "general/error.hpp"
+#include "synovia/io/csv_row.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 #include <cerrno>

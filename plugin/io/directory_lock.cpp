@@ -1,6 +1,6 @@
-#include "io/directory_lock.hpp"
-#include "general/root_rank.hpp"
-#include "general/utc_time.hpp"
+#include "synovia/io/directory_lock.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/general/utc_time.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "io/field_output.hpp"
+#include "synovia/io/field_output.hpp"
 
 #include <algorithm>
 

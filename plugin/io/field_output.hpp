@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/paraview_output.hpp"
-#include "physics/stress_recovery.hpp"
-#include "solvers/time_stepper.hpp"
+#include "synovia/fem/stress_recovery.hpp"
+#include "synovia/io/paraview_output.hpp"
+#include "synovia/time/time_stepper.hpp"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
-#include "io/hdf5_columns.hpp"
-#include "io/hdf5_guard.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/hdf5_columns.hpp"
+#include "synovia/io/hdf5_guard.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

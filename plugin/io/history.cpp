@@ -1,9 +1,9 @@
-#include "io/history.hpp"
-#include "general/error.hpp"
-#include "general/root_rank.hpp"
-#include "io/hdf5_columns.hpp"
-#include "io/output_directory.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/history.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/hdf5_columns.hpp"
+#include "synovia/io/output_directory.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "io/line_sampler.hpp"
-#include "general/error.hpp"
-#include "general/root_rank.hpp"
-#include "io/output_directory.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/line_sampler.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/output_directory.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <cmath>
 #include <iomanip>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/point_locator.hpp"
-#include "mesh/named_mesh.hpp"
+#include "synovia/io/point_locator.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "io/output_directory.hpp"
-#include "general/root_rank.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/output_directory.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <filesystem>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "io/output_file.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,7 +1,7 @@
-#include "io/paraview_output.hpp"
-#include "general/error.hpp"
-#include "io/output_directory.hpp"
-#include "io/vtu_piece.hpp"
+#include "synovia/io/paraview_output.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/io/output_directory.hpp"
+#include "synovia/io/vtu_piece.hpp"
 
 #include <algorithm>
 #include <cerrno>

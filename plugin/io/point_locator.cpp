@@ -1,6 +1,6 @@
-#include "io/point_locator.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/io/point_locator.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <limits>

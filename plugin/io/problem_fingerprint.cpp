@@ -1,6 +1,6 @@
-#include "io/problem_fingerprint.hpp"
-#include "general/point3.hpp"
-#include "general/text.hpp"
+#include "synovia/io/problem_fingerprint.hpp"
+#include "synovia/general/point3.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ const char *const place_names[3] = {"mesh.x", "mesh.y", "mesh.z"};
 const char *const low_names[3] = {"mesh.low.x", "mesh.low.y", "mesh.low.z"};
 const char *const high_names[3] = {"mesh.high.x", "mesh.high.y", "mesh.high.z"};
 
-/// Where the elements are: the mean of their centres, which weigh more the
+/// Where the elements are: the mean of their centers, which weigh more the
 /// later they come.
 Point3 MeanPlace(const NamedMesh &named)
 {

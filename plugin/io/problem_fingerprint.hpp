@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/checkpoint_file.hpp"
-#include "physics/biphasic_problem.hpp"
+#include "synovia/io/checkpoint_file.hpp"
+#include "synovia/physics/biphasic_problem.hpp"
 
 #include <string>
 

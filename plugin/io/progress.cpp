@@ -1,4 +1,4 @@
-#include "io/progress.hpp"
+#include "synovia/io/progress.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/remaining_time.hpp"
-#include "solvers/time_stepper.hpp"
+#include "synovia/io/remaining_time.hpp"
+#include "synovia/time/time_stepper.hpp"
 
 namespace synovia
 {

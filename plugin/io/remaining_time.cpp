@@ -1,4 +1,4 @@
-#include "io/remaining_time.hpp"
+#include "synovia/io/remaining_time.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include "io/result_files.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/result_files.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>

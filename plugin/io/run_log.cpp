@@ -1,7 +1,7 @@
-#include "io/run_log.hpp"
-#include "general/root_rank.hpp"
-#include "general/utc_time.hpp"
-#include "io/output_file.hpp"
+#include "synovia/io/run_log.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/general/utc_time.hpp"
+#include "synovia/io/output_file.hpp"
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
-#include "io/step_diagnostics.hpp"
-#include "general/reduce.hpp"
+#include "synovia/io/step_diagnostics.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <algorithm>
 
@@ -105,7 +105,7 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    row.emplace_back("solver.assemblies", report.work.assemblies);
    row.emplace_back("solver.searches", report.work.searches);
    row.emplace_back("solver.setups", report.work.setups);
-   row.emplace_back("solver.factorisations", report.work.factorisations);
+   row.emplace_back("solver.factorisations", report.work.factorizations);
    row.emplace_back("solver.columns", report.work.columns);
    row.emplace_back("solver.seconds", report.seconds);
    return row;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/history.hpp"
-#include "physics/strain_monitor.hpp"
-#include "solvers/time_stepper.hpp"
+#include "synovia/fem/strain_monitor.hpp"
+#include "synovia/io/history.hpp"
+#include "synovia/time/time_stepper.hpp"
 
 namespace synovia
 {
@@ -20,7 +20,7 @@ namespace synovia
 ///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
 ///     fluid.peak_pressure
 ///     solver.newton, .augmentations, .linear, .most_linear
-///     solver.assemblies, .searches, .setups, .factorisations, .columns (see
+///     solver.assemblies, .searches, .setups, .factorizations, .columns (see
 ///     WorkCounts; of all tries)
 ///     solver.seconds
 ///

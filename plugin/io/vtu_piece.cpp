@@ -1,4 +1,4 @@
-#include "io/vtu_piece.hpp"
+#include "synovia/io/vtu_piece.hpp"
 
 #include <cmath>
 #include <cstdint>

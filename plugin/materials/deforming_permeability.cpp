@@ -1,6 +1,6 @@
-#include "materials/deforming_permeability.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/deforming_permeability.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/hyperelastic_law.hpp"
-#include "materials/permeability_law.hpp"
+#include "synovia/materials/hyperelastic_law.hpp"
+#include "synovia/materials/permeability_law.hpp"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ public:
    {
       return value;
    }
-   mfem::real_t Typical() const override { return value; }
+   mfem::real_t ReferenceValue() const override { return value; }
 
    /// Sets K at @a point and, unless @a tangent is null, dK/dF. False where the
    /// law has no value, because the pores are closed.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/hyperelastic_law.hpp"
+#include "synovia/materials/hyperelastic_law.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include "materials/fiber_laws.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/fiber_laws.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/fiber_solid.hpp"
+#include "synovia/materials/fiber_solid.hpp"
 
 namespace synovia
 {

@@ -1,4 +1,4 @@
-#include "materials/fiber_solid.hpp"
+#include "synovia/materials/fiber_solid.hpp"
 
 namespace synovia
 {

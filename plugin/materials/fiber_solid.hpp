@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/differentiated_solid.hpp"
-#include "materials/material_frame.hpp"
+#include "synovia/materials/differentiated_solid.hpp"
+#include "synovia/materials/material_frame.hpp"
 
 namespace synovia
 {
@@ -55,9 +55,9 @@ public:
       return true;
    }
 
-   std::string Objection(mfem::ElementTransformation &trans) const override
+   std::string Validate(mfem::ElementTransformation &trans) const override
    {
-      return frame.Objection(trans);
+      return frame.Validate(trans);
    }
    /// Fibers alone resist no compression.
    mfem::real_t AggregateModulus() const override { return 0.0; }

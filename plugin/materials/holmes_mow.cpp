@@ -1,6 +1,6 @@
-#include "materials/holmes_mow.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/holmes_mow.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

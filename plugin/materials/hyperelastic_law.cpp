@@ -1,4 +1,4 @@
-#include "materials/hyperelastic_law.hpp"
+#include "synovia/materials/hyperelastic_law.hpp"
 
 namespace synovia
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/solid_law.hpp"
-#include "materials/tensor3.hpp"
+#include "synovia/materials/solid_law.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 namespace synovia
 {

@@ -1,4 +1,4 @@
-#include "materials/isotropic_elastic.hpp"
+#include "synovia/materials/isotropic_elastic.hpp"
 
 namespace synovia
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/lame_moduli.hpp"
-#include "materials/solid_law.hpp"
+#include "synovia/materials/lame_moduli.hpp"
+#include "synovia/materials/solid_law.hpp"
 
 namespace synovia
 {

@@ -1,6 +1,6 @@
-#include "materials/lame_moduli.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/lame_moduli.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

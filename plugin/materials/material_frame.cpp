@@ -1,6 +1,6 @@
-#include "materials/material_frame.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/material_frame.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 #include <cmath>
 
@@ -78,26 +78,26 @@ void CylindricalFrame::GetAxes(const Vector &point, DenseMatrix &axes) const
    SetAxes(outward, Cross(axis, outward), axis, axes);
 }
 
-std::string CylindricalFrame::Objection(ElementTransformation &trans) const
+std::string CylindricalFrame::Validate(ElementTransformation &trans) const
 {
    const Geometry::Type geometry = trans.GetGeometryType();
    const IntegrationRule &vertices = *Geometries.GetVertices(geometry);
-   Vector centre;
-   trans.Transform(Geometries.GetCenter(geometry), centre);
-   const Point3 to_centre = FromLine(centre);
+   Vector center;
+   trans.Transform(Geometries.GetCenter(geometry), center);
+   const Point3 to_center = FromLine(center);
    // Seen from the line, an element beside it is on one side of it.
-   bool beside = Dot(to_centre, to_centre) > 0.0;
+   bool beside = Dot(to_center, to_center) > 0.0;
    for (int i = 0; i < vertices.GetNPoints(); i++)
    {
       Vector x;
       trans.Transform(vertices.IntPoint(i), x);
-      beside = beside && Dot(FromLine(x), to_centre) > 0.0;
+      beside = beside && Dot(FromLine(x), to_center) > 0.0;
    }
    return beside ? ""
                  : "the axis of its cylindrical frame runs through or along "
                    "the element at (" +
-                      ToText(centre[0]) + ", " + ToText(centre[1]) + ", " +
-                      ToText(centre[2]) +
+                      ToText(center[0]) + ", " + ToText(center[1]) + ", " +
+                      ToText(center[2]) +
                       "), where r and theta mean nothing; move the origin of "
                       "the frame off the body";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "general/point3.hpp"
+#include "synovia/general/point3.hpp"
 
 #include <string>
 
@@ -18,7 +18,7 @@ public:
                         mfem::DenseMatrix &axes) const = 0;
 
    /// Says what is wrong with the frame in an element; empty if nothing is.
-   virtual std::string Objection(mfem::ElementTransformation &) const
+   virtual std::string Validate(mfem::ElementTransformation &) const
    {
       return "";
    }
@@ -49,7 +49,7 @@ public:
    void GetAxes(const mfem::Vector &point,
                 mfem::DenseMatrix &axes) const override;
    /// On the line r and theta mean nothing: it must not come near an element.
-   std::string Objection(mfem::ElementTransformation &trans) const override;
+   std::string Validate(mfem::ElementTransformation &trans) const override;
 
 private:
    /// The vector to a point from the nearest one on the line.

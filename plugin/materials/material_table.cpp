@@ -1,6 +1,6 @@
-#include "materials/material_table.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/material_table.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

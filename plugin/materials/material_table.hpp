@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/permeability_law.hpp"
-#include "materials/solid_law.hpp"
+#include "synovia/materials/permeability_law.hpp"
+#include "synovia/materials/solid_law.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "materials/mooney_rivlin.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/mooney_rivlin.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

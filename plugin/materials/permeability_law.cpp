@@ -1,6 +1,6 @@
-#include "materials/permeability_law.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/permeability_law.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

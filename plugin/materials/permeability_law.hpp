@@ -17,7 +17,7 @@ public:
                    const mfem::IntegrationPoint &ip) const = 0;
 
    /// A typical value: it scales penalties and the gel time.
-   virtual mfem::real_t Typical() const = 0;
+   virtual mfem::real_t ReferenceValue() const = 0;
 };
 
 /// The same permeability everywhere.
@@ -32,7 +32,7 @@ public:
    {
       return value;
    }
-   mfem::real_t Typical() const override { return value; }
+   mfem::real_t ReferenceValue() const override { return value; }
 
 private:
    mfem::real_t value;

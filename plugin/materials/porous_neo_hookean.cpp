@@ -1,6 +1,6 @@
-#include "materials/porous_neo_hookean.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/porous_neo_hookean.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/differentiated_solid.hpp"
+#include "synovia/materials/differentiated_solid.hpp"
 
 namespace synovia
 {

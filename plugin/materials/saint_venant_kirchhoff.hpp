@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/differentiated_solid.hpp"
-#include "materials/lame_moduli.hpp"
+#include "synovia/materials/differentiated_solid.hpp"
+#include "synovia/materials/lame_moduli.hpp"
 
 namespace synovia
 {

@@ -23,16 +23,16 @@ public:
 
    /// Aggregate modulus H_A: the stiffness in confined compression, in the
    /// softest direction. It scales penalties, preconditioners, the gel time and
-   /// the pressure stabilisation.
+   /// the pressure stabilization.
    virtual mfem::real_t AggregateModulus() const = 0;
 
    /// Says what is wrong with the law in an element; empty if nothing is.
-   virtual std::string Objection(mfem::ElementTransformation &) const
+   virtual std::string Validate(mfem::ElementTransformation &) const
    {
       return "";
    }
 
-   /// A typical shear modulus: it scales the pressure stabilisation.
+   /// A typical shear modulus: it scales the pressure stabilization.
    virtual mfem::real_t ShearModulus() const = 0;
 };
 

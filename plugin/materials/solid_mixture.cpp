@@ -1,5 +1,5 @@
-#include "materials/solid_mixture.hpp"
-#include "general/error.hpp"
+#include "synovia/materials/solid_mixture.hpp"
+#include "synovia/general/error.hpp"
 
 namespace synovia
 {
@@ -42,17 +42,17 @@ bool SolidMixture::GetStress(const MaterialPoint &point, const Tensor3<> &F,
    return true;
 }
 
-std::string SolidMixture::Objection(ElementTransformation &trans) const
+std::string SolidMixture::Validate(ElementTransformation &trans) const
 {
-   std::string objection;
+   std::string failure;
    for (const HyperelasticLaw *part : parts)
    {
-      if (objection.empty())
+      if (failure.empty())
       {
-         objection = part->Objection(trans);
+         failure = part->Validate(trans);
       }
    }
-   return objection;
+   return failure;
 }
 
 real_t SolidMixture::AggregateModulus() const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/hyperelastic_law.hpp"
+#include "synovia/materials/hyperelastic_law.hpp"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ public:
 
    bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
                   Tensor3<> &stress, Tangent3 *tangent) const override;
-   std::string Objection(mfem::ElementTransformation &trans) const override;
+   std::string Validate(mfem::ElementTransformation &trans) const override;
    mfem::real_t AggregateModulus() const override;
    mfem::real_t ShearModulus() const override;
 

@@ -1,5 +1,5 @@
-#include "materials/stiffness_range.hpp"
-#include "general/symmetric_eigenvalues.hpp"
+#include "synovia/materials/stiffness_range.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
 
 #include <cmath>
 
@@ -31,11 +31,11 @@ StiffnessRange RangeOfStiffness(DenseMatrix stiffness)
 StiffnessRange RangeOfStiffness(const SolidLaw &law,
                                 ElementTransformation &trans)
 {
-   const IntegrationPoint &centre =
+   const IntegrationPoint &center =
       Geometries.GetCenter(trans.GetGeometryType());
-   trans.SetIntPoint(&centre);
+   trans.SetIntPoint(&center);
    DenseMatrix stiffness;
-   law.GetStiffness(trans, centre, stiffness);
+   law.GetStiffness(trans, center, stiffness);
    return RangeOfStiffness(stiffness);
 }
 

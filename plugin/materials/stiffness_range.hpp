@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/solid_law.hpp"
+#include "synovia/materials/solid_law.hpp"
 
 namespace synovia
 {
@@ -17,7 +17,7 @@ struct StiffnessRange
 /// finite.
 StiffnessRange RangeOfStiffness(mfem::DenseMatrix stiffness);
 
-/// The same at the centre of an element.
+/// The same at the center of an element.
 StiffnessRange RangeOfStiffness(const SolidLaw &law,
                                 mfem::ElementTransformation &trans);
 

@@ -1,7 +1,7 @@
-#include "materials/transversely_isotropic.hpp"
-#include "general/error.hpp"
-#include "general/symmetric_eigenvalues.hpp"
-#include "general/text.hpp"
+#include "synovia/materials/transversely_isotropic.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
+#include "synovia/general/text.hpp"
 
 namespace synovia
 {
@@ -42,7 +42,7 @@ void GetStrainMap(const DenseMatrix &axes, DenseMatrix &map)
 }
 } // namespace
 
-TransverselyIsotropic::TransverselyIsotropic(const FibreConstants &constants,
+TransverselyIsotropic::TransverselyIsotropic(const FiberConstants &constants,
                                              const MaterialFrame &frame_)
    : frame(frame_), local(6)
 {

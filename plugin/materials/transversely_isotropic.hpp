@@ -1,7 +1,7 @@
 #pragma once
 
-#include "materials/material_frame.hpp"
-#include "materials/solid_law.hpp"
+#include "synovia/materials/material_frame.hpp"
+#include "synovia/materials/solid_law.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,40 +9,40 @@
 namespace synovia
 {
 
-/// Constants of a solid with fibres along theta, alike in all directions across
+/// Constants of a solid with fibers along theta, alike in all directions across
 /// them: E_z = E_r, nu_ztheta = nu_rtheta, G_ztheta = G_rtheta and
 /// G_rz = E_r / (2 (1 + nu_rz)).
 ///
 /// nu_ij is the contraction along j under tension along i, so that
 /// nu_ij / E_i = nu_ji / E_j.
-struct FibreConstants
+struct FiberConstants
 {
-   /// Young's moduli across and along the fibres (stress).
+   /// Young's moduli across and along the fibers (stress).
    mfem::real_t young_r = 0.0;
    mfem::real_t young_theta = 0.0;
    mfem::real_t poisson_rtheta = 0.0;
    mfem::real_t poisson_rz = 0.0;
-   /// Shear modulus along the fibres (stress).
+   /// Shear modulus along the fibers (stress).
    mfem::real_t shear_rtheta = 0.0;
 };
 
-/// Transversely isotropic linear elasticity, uniform in its frame: fibres.
+/// Transversely isotropic linear elasticity, uniform in its frame: fibers.
 class TransverselyIsotropic : public SolidLaw
 {
 public:
    /// Borrows @a frame. Throws Error if a modulus is not positive, or if the
    /// stiffness is not positive definite.
-   TransverselyIsotropic(const FibreConstants &constants,
+   TransverselyIsotropic(const FiberConstants &constants,
                          const MaterialFrame &frame);
 
    void GetStiffness(mfem::ElementTransformation &trans,
                      const mfem::IntegrationPoint &ip,
                      mfem::DenseMatrix &stiffness) const override;
-   std::string Objection(mfem::ElementTransformation &trans) const override
+   std::string Validate(mfem::ElementTransformation &trans) const override
    {
-      return frame.Objection(trans);
+      return frame.Validate(trans);
    }
-   /// Across the fibres.
+   /// Across the fibers.
    mfem::real_t AggregateModulus() const override { return local(0, 0); }
    /// The smaller one.
    mfem::real_t ShearModulus() const override

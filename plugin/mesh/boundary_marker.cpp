@@ -1,5 +1,5 @@
-#include "mesh/boundary_marker.hpp"
-#include "general/error.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
+#include "synovia/general/error.hpp"
 
 #include <string>
 

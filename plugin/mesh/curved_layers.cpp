@@ -1,6 +1,6 @@
-#include "mesh/curved_layers.hpp"
-#include "general/error.hpp"
-#include "mesh/stack_bodies.hpp"
+#include "synovia/mesh/curved_layers.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>

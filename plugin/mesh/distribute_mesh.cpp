@@ -1,6 +1,6 @@
-#include "general/error.hpp"
-#include "mesh/named_mesh.hpp"
-#include "mesh/tangled_elements.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/mesh/tangled_elements.hpp"
 
 namespace synovia
 {

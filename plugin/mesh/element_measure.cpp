@@ -1,4 +1,4 @@
-#include "mesh/element_measure.hpp"
+#include "synovia/mesh/element_measure.hpp"
 
 namespace synovia
 {

@@ -1,4 +1,4 @@
-#include "mesh/element_nodes.hpp"
+#include "synovia/mesh/element_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

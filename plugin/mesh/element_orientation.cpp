@@ -1,5 +1,5 @@
-#include "mesh/element_orientation.hpp"
-#include "general/error.hpp"
+#include "synovia/mesh/element_orientation.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 
@@ -34,12 +34,12 @@ View Compare(std::array<int, 4> a, std::array<int, 4> b)
    return a == b ? View::opposite : View::different_edges;
 }
 
-struct Neighbour
+struct Neighbor
 {
    int element;
    bool same_view;
 };
-using NeighbourTable = std::vector<std::vector<Neighbour>>;
+using NeighborTable = std::vector<std::vector<Neighbor>>;
 
 // Sign of the volume that the edges at the first corner span.
 int Handedness(const FlatMesh &mesh, Geometry::Type geometry, const int *nodes)
@@ -68,9 +68,8 @@ int Handedness(const FlatMesh &mesh, Geometry::Type geometry, const int *nodes)
    return (volume > 0.0) - (volume < 0.0);
 }
 
-NeighbourTable FindNeighbours(const FlatMesh &mesh,
-                              const std::vector<int> &first,
-                              const std::vector<FaceSide> &sides)
+NeighborTable FindNeighbors(const FlatMesh &mesh, const std::vector<int> &first,
+                            const std::vector<FaceSide> &sides)
 {
    const auto vertices = [&](const FaceSide &side)
    {
@@ -79,7 +78,7 @@ NeighbourTable FindNeighbours(const FlatMesh &mesh,
                           mesh.element_nodes.data() + first[side.element],
                           side.face);
    };
-   NeighbourTable neighbours(first.size());
+   NeighborTable neighbors(first.size());
    for (size_t i = 1; i < sides.size(); i++)
    {
       const FaceSide &a = sides[i - 1];
@@ -96,15 +95,15 @@ NeighbourTable FindNeighbours(const FlatMesh &mesh,
                      std::to_string(mesh.element_numbers[b.element]) +
                      " share the corners of a face but not its edges");
       }
-      neighbours[a.element].push_back({b.element, view == View::same});
-      neighbours[b.element].push_back({a.element, view == View::same});
+      neighbors[a.element].push_back({b.element, view == View::same});
+      neighbors[b.element].push_back({a.element, view == View::same});
    }
-   return neighbours;
+   return neighbors;
 }
 
 // The elements of a connected body from a seed on, their senses made to agree:
 // 1 is as it is, -1 mirrored, 0 not known yet.
-std::vector<int> GatherBody(const NeighbourTable &neighbours, int seed,
+std::vector<int> GatherBody(const NeighborTable &neighbors, int seed,
                             std::vector<int> &senses)
 {
    senses[seed] = 1;
@@ -112,7 +111,7 @@ std::vector<int> GatherBody(const NeighbourTable &neighbours, int seed,
    for (size_t i = 0; i < body.size(); i++)
    {
       const int element = body[i];
-      for (const Neighbour &next : neighbours[element])
+      for (const Neighbor &next : neighbors[element])
       {
          if (senses[next.element] == 0)
          {
@@ -126,7 +125,7 @@ std::vector<int> GatherBody(const NeighbourTable &neighbours, int seed,
 }
 
 std::vector<int> FindSenses(const FlatMesh &mesh, const std::vector<int> &first,
-                            const NeighbourTable &neighbours)
+                            const NeighborTable &neighbors)
 {
    const int elements = static_cast<int>(first.size());
    std::vector<int> senses(elements, 0);
@@ -136,7 +135,7 @@ std::vector<int> FindSenses(const FlatMesh &mesh, const std::vector<int> &first,
       {
          continue;
       }
-      const std::vector<int> body = GatherBody(neighbours, seed, senses);
+      const std::vector<int> body = GatherBody(neighbors, seed, senses);
       long long balance = 0;
       for (const int element : body)
       {
@@ -159,7 +158,7 @@ int OrientElements(FlatMesh &mesh, const std::vector<FaceSide> &sides,
 {
    const std::vector<int> first = FirstNodes(mesh);
    const std::vector<int> senses =
-      FindSenses(mesh, first, FindNeighbours(mesh, first, sides));
+      FindSenses(mesh, first, FindNeighbors(mesh, first, sides));
    int renumbered = 0;
    for (size_t i = 0; i < senses.size(); i++)
    {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh/face_sides.hpp"
-#include "mesh/flat_mesh.hpp"
+#include "synovia/mesh/face_sides.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
 
 #include <vector>
 

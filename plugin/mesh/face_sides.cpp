@@ -1,5 +1,5 @@
-#include "mesh/face_sides.hpp"
-#include "general/error.hpp"
+#include "synovia/mesh/face_sides.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 

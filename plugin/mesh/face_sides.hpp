@@ -2,7 +2,7 @@
 
 #include "mfem.hpp"
 
-#include "mesh/flat_mesh.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
 
 #include <array>
 #include <vector>

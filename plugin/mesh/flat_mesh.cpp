@@ -1,7 +1,7 @@
-#include "mesh/flat_mesh.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
-#include "mesh/element_nodes.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
+#include "synovia/mesh/element_nodes.hpp"
 
 namespace synovia
 {
@@ -121,7 +121,7 @@ void Curve(const FlatMesh &flat, Mesh &mesh)
    {
       throw Error("the curved elements do not fit together: element " +
                   std::to_string(flat.element_numbers[misfit]) +
-                  " and a neighbour differ on their common face or edge; "
+                  " and a neighbor differ on their common face or edge; "
                   "save the mesh with elements of one order, and complete ones "
                   "(Mesh.SecondOrderIncomplete = 0)");
    }

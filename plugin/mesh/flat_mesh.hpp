@@ -2,7 +2,7 @@
 
 #include "mfem.hpp"
 
-#include "mesh/named_mesh.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "mesh/gmsh_element_types.hpp"
+#include "synovia/mesh/gmsh_element_types.hpp"
 
 #include "mfem/mesh/gmsh.hpp"
 

@@ -1,11 +1,11 @@
-#include "mesh/gmsh_file.hpp"
-#include "general/error.hpp"
-#include "mesh/element_orientation.hpp"
-#include "mesh/face_sides.hpp"
-#include "mesh/gmsh_element_types.hpp"
-#include "mesh/gmsh_shapes.hpp"
-#include "mesh/group_attributes.hpp"
-#include "mesh/msh_contents.hpp"
+#include "synovia/mesh/gmsh_file.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/element_orientation.hpp"
+#include "synovia/mesh/face_sides.hpp"
+#include "synovia/mesh/gmsh_element_types.hpp"
+#include "synovia/mesh/gmsh_shapes.hpp"
+#include "synovia/mesh/group_attributes.hpp"
+#include "synovia/mesh/msh_contents.hpp"
 
 #include <algorithm>
 #include <iterator>

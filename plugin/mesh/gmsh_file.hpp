@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/flat_mesh.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
 
 #include <string>
 

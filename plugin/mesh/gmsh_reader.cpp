@@ -1,9 +1,9 @@
-#include "general/error.hpp"
-#include "general/text.hpp"
-#include "mesh/flat_mesh.hpp"
-#include "mesh/gmsh_file.hpp"
-#include "mesh/named_mesh.hpp"
-#include "mesh/tangled_elements.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
+#include "synovia/mesh/gmsh_file.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/mesh/tangled_elements.hpp"
 
 #include <cmath>
 

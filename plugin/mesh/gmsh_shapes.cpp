@@ -1,6 +1,6 @@
-#include "mesh/gmsh_shapes.hpp"
-#include "general/point3.hpp"
-#include "mesh/face_sides.hpp"
+#include "synovia/mesh/gmsh_shapes.hpp"
+#include "synovia/general/point3.hpp"
+#include "synovia/mesh/face_sides.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/gmsh_element_types.hpp"
+#include "synovia/mesh/gmsh_element_types.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "mesh/group_attributes.hpp"
+#include "synovia/mesh/group_attributes.hpp"
 
 #include <algorithm>
 

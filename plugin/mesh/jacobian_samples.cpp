@@ -1,4 +1,4 @@
-#include "mesh/jacobian_samples.hpp"
+#include "synovia/mesh/jacobian_samples.hpp"
 
 namespace synovia
 {

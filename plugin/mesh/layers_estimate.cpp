@@ -1,7 +1,7 @@
-#include "mesh/layers_estimate.hpp"
-#include "general/error.hpp"
-#include "general/resource_use.hpp"
-#include "general/text.hpp"
+#include "synovia/mesh/layers_estimate.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/resource_use.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ LayersEstimate EstimateLayers(const LayersOptions &options, int order,
    }
    const real_t dofs = 3.0 * NodesOfElement(options.type, order) +
                        NodesOfElement(options.type, pressure_order);
-   // Entries of neighbours' matrices that fall together are about half.
+   // Entries of neighbors' matrices that fall together are about half.
    estimate.gigabytes =
       1e-9 *
       (bytes_an_element * (ranks * estimate.unsplit_elements + elements) +

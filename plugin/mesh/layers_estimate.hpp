@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/curved_layers.hpp"
+#include "synovia/mesh/curved_layers.hpp"
 
 namespace synovia
 {

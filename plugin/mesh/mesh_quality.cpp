@@ -1,5 +1,5 @@
-#include "mesh/mesh_quality.hpp"
-#include "mesh/jacobian_samples.hpp"
+#include "synovia/mesh/mesh_quality.hpp"
+#include "synovia/mesh/jacobian_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +208,7 @@ real_t Median(MPI_Comm comm, const Vector &mine)
    return median;
 }
 
-// Of the worst element of all ranks: its scaled Jacobian, attribute and centre.
+// Of the worst element of all ranks: its scaled Jacobian, attribute and center.
 void FindWorst(const ParMesh &mesh, const Vector &values, MeshQuality &quality)
 {
    const MPI_Comm comm = mesh.GetComm();
@@ -229,12 +229,12 @@ void FindWorst(const ParMesh &mesh, const Vector &values, MeshQuality &quality)
       quality.worst_attribute = mesh.GetAttribute(element);
       IsoparametricTransformation map;
       mesh.GetElementTransformation(element, &map);
-      Vector centre(quality.worst_centre, 3);
+      Vector center(quality.worst_center, 3);
       map.Transform(Geometries.GetCenter(mesh.GetElementGeometry(element)),
-                    centre);
+                    center);
    }
    MPI_Bcast(&quality.worst_attribute, 1, MPI_INT, least.rank, comm);
-   MPI_Bcast(quality.worst_centre, 3, MPITypeMap<real_t>::mpi_type, least.rank,
+   MPI_Bcast(quality.worst_center, 3, MPITypeMap<real_t>::mpi_type, least.rank,
              comm);
 }
 

@@ -12,9 +12,9 @@ struct MeshQuality
    /// Scaled Jacobian of the worst element and of the one in the middle.
    mfem::real_t min_scaled_jacobian = 0.0;
    mfem::real_t median_scaled_jacobian = 0.0;
-   /// Attribute and centre of the worst element.
+   /// Attribute and center of the worst element.
    int worst_attribute = 0;
-   mfem::real_t worst_centre[3] = {0.0, 0.0, 0.0};
+   mfem::real_t worst_center[3] = {0.0, 0.0, 0.0};
    /// Lengths of the shortest and longest edge, curved ones measured straight.
    mfem::real_t shortest_edge = 0.0;
    mfem::real_t longest_edge = 0.0;

@@ -1,7 +1,7 @@
-#include "mesh/msh_contents.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
-#include "mesh/msh_cursor.hpp"
+#include "synovia/mesh/msh_contents.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
+#include "synovia/mesh/msh_cursor.hpp"
 
 #include <algorithm>
 #include <cmath>

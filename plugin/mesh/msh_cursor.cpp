@@ -1,5 +1,5 @@
-#include "mesh/msh_cursor.hpp"
-#include "general/error.hpp"
+#include "synovia/mesh/msh_cursor.hpp"
+#include "synovia/general/error.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
-#include "mesh/named_mesh.hpp"
-#include "general/error.hpp"
-#include "general/suggestion.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/suggestion.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -96,7 +96,7 @@ Array<int> Find(const std::string &kind, const std::string &name,
                (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
 }
 
-void Normalise(NameTable &names)
+void Normalize(NameTable &names)
 {
    for (auto &entry : names)
    {
@@ -138,8 +138,8 @@ NamedMesh::NamedMesh(std::unique_ptr<ParMesh> mesh_, NameTable regions_,
    }
    MFEM_VERIFY(static_cast<int>(serial_elements.size()) == mesh->GetNE(),
                "a number is needed for each element");
-   Normalise(regions);
-   Normalise(boundaries);
+   Normalize(regions);
+   Normalize(boundaries);
    EnterSets(regions, mesh->attribute_sets);
    EnterSets(boundaries, mesh->bdr_attribute_sets);
 }

@@ -64,7 +64,7 @@ std::string NameOf(const NameTable &names, int attribute);
 /// Throws Error if the mesh is not three-dimensional, if a name stands for an
 /// attribute that no element has, if there are more ranks than elements, and
 /// on tangled elements, with their number, the first one's place in the serial
-/// mesh (from 0), its region and its centre.
+/// mesh (from 0), its region and its center.
 NamedMesh DistributeMesh(mfem::Mesh &serial, NameTable regions,
                          NameTable boundaries, MPI_Comm comm,
                          const int *partitioning = nullptr);
@@ -72,7 +72,7 @@ NamedMesh DistributeMesh(mfem::Mesh &serial, NameTable regions,
 /// What ReadGmsh() does to the mesh on its way in.
 struct ReadOptions
 {
-   /// Factor on all coordinates, such as 1000 for metres to millimetres.
+   /// Factor on all coordinates, such as 1000 for meters to millimeters.
    mfem::real_t scale = 1.0;
    /// How often every element is split uniformly before distribution.
    int refine = 0;

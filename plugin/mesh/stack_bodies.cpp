@@ -1,6 +1,6 @@
-#include "mesh/stack_bodies.hpp"
-#include "general/error.hpp"
-#include "mesh/element_nodes.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/element_nodes.hpp"
 
 #include <algorithm>
 

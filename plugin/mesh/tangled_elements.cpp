@@ -1,7 +1,7 @@
-#include "mesh/tangled_elements.hpp"
-#include "general/error.hpp"
-#include "general/text.hpp"
-#include "mesh/jacobian_samples.hpp"
+#include "synovia/mesh/tangled_elements.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
+#include "synovia/mesh/jacobian_samples.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -38,17 +38,17 @@ std::string Describe(long long count, Mesh &mesh, int element, long long number,
 {
    IsoparametricTransformation map;
    mesh.GetElementTransformation(element, &map);
-   Vector centre(3);
+   Vector center(3);
    map.Transform(Geometries.GetCenter(mesh.GetElementGeometry(element)),
-                 centre);
+                 center);
    return (count == 1 ? std::string("one element is")
                       : std::to_string(count) + " elements are") +
           " tangled (the Jacobian determinant is not positive everywhere); " +
           (count == 1 ? "it is element " : "the first is element ") +
           std::to_string(number) + " in region \"" +
           NameOf(regions, mesh.GetAttribute(element)) + "\", around (" +
-          ToText(centre(0)) + ", " + ToText(centre(1)) + ", " +
-          ToText(centre(2)) + ")";
+          ToText(center(0)) + ", " + ToText(center(1)) + ", " +
+          ToText(center(2)) + ")";
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "mfem.hpp"
 
-#include "mesh/named_mesh.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <functional>
 #include <vector>
@@ -18,7 +18,7 @@ std::vector<int> TangledElements(mfem::Mesh &mesh,
 /// Collective. Throws Error on all ranks if an element is tangled. Each rank
 /// looks at its own @a elements of @a mesh. The text gives the number of
 /// tangled elements and of the first one its number, by @a number_of, its
-/// region and its centre.
+/// region and its center.
 void ThrowIfTangled(MPI_Comm comm, mfem::Mesh &mesh,
                     const std::vector<int> &elements,
                     const std::function<long long(int)> &number_of,

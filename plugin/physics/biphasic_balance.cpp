@@ -1,5 +1,5 @@
-#include "general/reduce.hpp"
-#include "physics/biphasic_operator.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/physics/biphasic_operator.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "physics/biphasic_operator.hpp"
-#include "general/reduce.hpp"
-#include "general/text.hpp"
+#include "synovia/physics/biphasic_operator.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -233,7 +233,7 @@ bool BiphasicOperator::Fail(const std::string &reason)
 
 bool BiphasicOperator::FailSolve(const std::string &reason)
 {
-   const std::string loose = freedoms.Objection(pairs, 0.0);
+   const std::string loose = freedoms.Validate(pairs, 0.0);
    return Fail(loose.empty() ? reason : loose + " (" + reason + ")");
 }
 
@@ -270,7 +270,7 @@ bool BiphasicOperator::UpdateContact(Stage &stage)
    changed = CatchPushed(stage) || changed;
    if (changed)
    {
-      Drain(stage);
+      UpdateDrainedDofs(stage);
    }
    return changed;
 }
@@ -301,7 +301,7 @@ bool BiphasicOperator::CatchPushed(Stage &stage)
    return caught;
 }
 
-void BiphasicOperator::Drain(Stage &stage)
+void BiphasicOperator::UpdateDrainedDofs(Stage &stage)
 {
    Array<int> drained(conditions.PressureDofs());
    if (!pairs.empty())
@@ -343,7 +343,7 @@ void BiphasicOperator::Drain(Stage &stage)
    {
       // Drained pressures changed what there is to jump.
       pair->Evaluate(stage.u, stage.p);
-      pair->React();
+      pair->UpdateTractions();
    }
 }
 
@@ -387,7 +387,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    }
    started = true;
    CatchPushed(stage);
-   Drain(stage);
+   UpdateDrainedDofs(stage);
    ResidualTolerance tolerance = Tolerance(stage);
    for (int augmentation = 0;; augmentation++)
    {
@@ -437,7 +437,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    // Residuals may be forces of contact that bears nothing.
    constexpr real_t bears = 100.0;
    const std::string loose =
-      freedoms.Objection(pairs, bears * tolerance.momentum);
+      freedoms.Validate(pairs, bears * tolerance.momentum);
    if (!loose.empty())
    {
       return Fail(loose);
@@ -526,7 +526,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 void BiphasicOperator::ChooseStart(Stage &stage)
 {
    const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
-   stage.from_start = no_guess || !bodies->Objection(stage).empty();
+   stage.from_start = no_guess || !bodies->Validate(stage).empty();
    if (stage.from_start)
    {
       BodyStage start(stage);
@@ -552,18 +552,18 @@ bool BiphasicOperator::TakeStep(const BlockVector &step, Stage &stage)
    constexpr real_t least_share = 1.0 / 16.0;
    stage.u += step.GetBlock(0);
    stage.p += step.GetBlock(1);
-   std::string objection = bodies->Objection(stage);
+   std::string failure = bodies->Validate(stage);
    // From the stage's start the step and the supports' increments go together.
    for (real_t share = 0.5;
-        !objection.empty() && !stage.from_start && share >= least_share;
+        !failure.empty() && !stage.from_start && share >= least_share;
         share *= 0.5)
    {
       stage.u.Add(-share, step.GetBlock(0));
       stage.p.Add(-share, step.GetBlock(1));
-      objection = bodies->Objection(stage);
+      failure = bodies->Validate(stage);
    }
    stage.from_start = false;
-   return objection.empty() || Fail(objection);
+   return failure.empty() || Fail(failure);
 }
 
 bool BiphasicOperator::Escapes(const Vector &step)

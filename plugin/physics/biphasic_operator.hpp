@@ -1,11 +1,11 @@
 #pragma once
 
-#include "contact/contact_pair.hpp"
-#include "physics/body_form.hpp"
-#include "physics/boundary_conditions.hpp"
-#include "physics/first_approach.hpp"
-#include "physics/rigid_freedoms.hpp"
-#include "solvers/biphasic_linear_solver.hpp"
+#include "synovia/contact/contact_pair.hpp"
+#include "synovia/fem/body_form.hpp"
+#include "synovia/fem/boundary_conditions.hpp"
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/physics/first_approach.hpp"
+#include "synovia/physics/rigid_freedoms.hpp"
 
 #include <functional>
 #include <memory>
@@ -46,7 +46,7 @@ struct PhaseTimes
 {
    mfem::real_t assembly = 0.0;
    mfem::real_t search = 0.0;
-   /// Hierarchies, factorisations and updates of preconditioners.
+   /// Hierarchies, factorizations and updates of preconditioners.
    mfem::real_t setup = 0.0;
    /// Linear systems without that.
    mfem::real_t linear = 0.0;
@@ -58,7 +58,7 @@ struct PhaseTimes
 /// k = (v, dp/dt). ImplicitSolve() finds k such that u + dt v and p + dt dp/dt
 /// satisfy momentum balance, mass balance with the solid velocity v, boundary
 /// conditions, and contact at the time of the stage. The pressure is algebraic
-/// (except for the stabilisation), so a scheme should be stiffly accurate, as
+/// (except for the stabilization), so a scheme should be stiffly accurate, as
 /// BackwardEulerSolver and SDIRK33Solver are.
 ///
 /// One step is: BeginStep(), ODESolver::Step(), and then either AcceptStep()
@@ -148,7 +148,7 @@ private:
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.
    bool CatchPushed(Stage &stage);
-   void Drain(Stage &stage);
+   void UpdateDrainedDofs(Stage &stage);
    void ComputeImbalance(const Stage &stage, mfem::Vector &momentum,
                          mfem::Vector &mass) const;
    void ComputeResidual(const Stage &stage, mfem::BlockVector &residual) const;

@@ -1,9 +1,9 @@
-#include "physics/biphasic_problem.hpp"
-#include "general/error.hpp"
-#include "mesh/boundary_marker.hpp"
-#include "physics/law_checks.hpp"
-#include "physics/linear_body_form.hpp"
-#include "physics/total_lagrangian_form.hpp"
+#include "synovia/physics/biphasic_problem.hpp"
+#include "synovia/fem/law_checks.hpp"
+#include "synovia/fem/linear_body_form.hpp"
+#include "synovia/fem/total_lagrangian_form.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 
 #include <algorithm>
 

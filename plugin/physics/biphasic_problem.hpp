@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mesh/named_mesh.hpp"
-#include "physics/biphasic_operator.hpp"
-#include "physics/deformation.hpp"
+#include "synovia/fem/deformation.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/physics/biphasic_operator.hpp"
 
 #include <array>
 #include <memory>
@@ -15,7 +15,7 @@ namespace synovia
 
 struct SpaceOptions
 {
-   /// Order of the displacement; 1 is stabilised equal order.
+   /// Order of the displacement; 1 is stabilized equal order.
    int order = 2;
    Deformation deformation = Deformation::infinitesimal;
 };

@@ -1,10 +1,10 @@
-#include "physics/first_approach.hpp"
-#include "contact/clearance.hpp"
-#include "contact/distance_along.hpp"
-#include "general/error.hpp"
-#include "general/reduce.hpp"
-#include "general/text.hpp"
-#include "physics/rigid_motions.hpp"
+#include "synovia/physics/first_approach.hpp"
+#include "synovia/contact/clearance.hpp"
+#include "synovia/contact/distance_along.hpp"
+#include "synovia/fem/rigid_motions.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "physics/body.hpp"
-#include "physics/boundary_conditions.hpp"
-#include "physics/pushed_bodies.hpp"
+#include "synovia/fem/body.hpp"
+#include "synovia/fem/boundary_conditions.hpp"
+#include "synovia/physics/pushed_bodies.hpp"
 
 namespace synovia
 {

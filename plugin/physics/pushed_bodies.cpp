@@ -1,6 +1,6 @@
-#include "physics/pushed_bodies.hpp"
-#include "contact/clearance.hpp"
-#include "general/reduce.hpp"
+#include "synovia/physics/pushed_bodies.hpp"
+#include "synovia/contact/clearance.hpp"
+#include "synovia/general/reduce.hpp"
 
 namespace synovia
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/contact_pair.hpp"
-#include "general/load_curve.hpp"
+#include "synovia/contact/contact_pair.hpp"
+#include "synovia/general/load_curve.hpp"
 
 #include <set>
 #include <string>

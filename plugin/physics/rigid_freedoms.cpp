@@ -1,7 +1,7 @@
-#include "physics/rigid_freedoms.hpp"
-#include "general/reduce.hpp"
-#include "general/text.hpp"
-#include "physics/null_space.hpp"
+#include "synovia/physics/rigid_freedoms.hpp"
+#include "synovia/fem/null_space.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -268,8 +268,8 @@ std::string RigidFreedoms::Describe(const Vector &motion, int place) const
           PlaceText(center, radius);
 }
 
-std::string RigidFreedoms::Objection(const std::vector<ContactPair *> &pairs,
-                                     real_t least_force) const
+std::string RigidFreedoms::Validate(const std::vector<ContactPair *> &pairs,
+                                    real_t least_force) const
 {
    if (HoldAll())
    {
@@ -298,15 +298,15 @@ std::string RigidFreedoms::Objection(const std::vector<ContactPair *> &pairs,
       std::string &text = freedoms[together];
       text += (text.empty() ? "" : ", ") + how;
    }
-   std::string objection;
+   std::string failure;
    for (const auto &[together, how] : freedoms)
    {
-      objection += (objection.empty() ? "nothing holds " : "; nothing holds ") +
-                   together + ", free to " + how;
+      failure += (failure.empty() ? "nothing holds " : "; nothing holds ") +
+                 together + ", free to " + how;
    }
-   return objection.empty()
-             ? objection
-             : objection +
+   return failure.empty()
+             ? failure
+             : failure +
                   "; prescribe a displacement there, hold it by springs, or "
                   "let contact press on it (contact without traction holds "
                   "nothing)";

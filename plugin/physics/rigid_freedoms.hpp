@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact/contact_pair.hpp"
-#include "physics/boundary_conditions.hpp"
-#include "physics/rigid_motions.hpp"
+#include "synovia/contact/contact_pair.hpp"
+#include "synovia/fem/boundary_conditions.hpp"
+#include "synovia/fem/rigid_motions.hpp"
 
 namespace synovia
 {
@@ -12,7 +12,7 @@ namespace synovia
 /// Whatever resists one, prescribed displacements, surfaces that are moved as
 /// one, springs, or vertices in contact, does so by a row c of what it makes of
 /// the motions r; free are those with c.r = 0 for all rows, which a
-/// factorisation of the sum of c c^T finds. How stiff something is doesn't
+/// factorization of the sum of c c^T finds. How stiff something is doesn't
 /// matter.
 class RigidFreedoms
 {
@@ -27,8 +27,8 @@ public:
    /// What is loose although the pairs touch as they do, and how to hold it;
    /// empty if nothing is. Vertices count that bear a traction, in pairs that
    /// bear more than @a least_force. Collective.
-   std::string Objection(const std::vector<ContactPair *> &pairs,
-                         mfem::real_t least_force) const;
+   std::string Validate(const std::vector<ContactPair *> &pairs,
+                        mfem::real_t least_force) const;
 
 private:
    // Sums of c c^T: of all bodies, and for contact of those that are loose.

@@ -95,9 +95,9 @@ def seconds(row: Row, phase: str) -> float:
 
 
 def look(i: int) -> dict:
-    colours = plt.rcParams["axes.prop_cycle"].by_key()["color"]
-    return {"color": colours[i % len(colours)],
-            "linestyle": STROKES[i // len(colours) % len(STROKES)],
+    colors = plt.rcParams["axes.prop_cycle"].by_key()["color"]
+    return {"color": colors[i % len(colors)],
+            "linestyle": STROKES[i // len(colors) % len(STROKES)],
             "marker": "osD^vP"[i % 6], "markersize": 3.5}
 
 
@@ -189,10 +189,10 @@ def stack_phases(axes, places: np.ndarray, rows: list[Row]) -> None:
     """Bars of the share of each phase in the time."""
     bottom = np.zeros(len(rows))
     total = np.array([float(row["seconds_total"]) for row in rows])
-    colours = (style.GREEN, style.ORANGE, style.SKY, style.BLUE, "#bbbbbb")
-    for (name, label), colour in zip(PHASES, colours):
+    colors = (style.GREEN, style.ORANGE, style.SKY, style.BLUE, "#bbbbbb")
+    for (name, label), color in zip(PHASES, colors):
         share = np.array([seconds(row, name) for row in rows]) / total
-        axes.bar(places, share, 0.7, bottom, label=label, color=colour)
+        axes.bar(places, share, 0.7, bottom, label=label, color=color)
         bottom += share
     axes.set_ylim(0, 1)
 

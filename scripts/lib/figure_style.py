@@ -1,4 +1,4 @@
-"""How figures look: colours of Okabe and Ito, which all can tell apart."""
+"""How figures look: colors of Okabe and Ito, which all can tell apart."""
 
 from __future__ import annotations
 

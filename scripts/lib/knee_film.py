@@ -23,7 +23,7 @@ BELOW, ABOVE = 0.5, 2.0     # what is shown around the joint's space, mm
 SECONDS = 0.3           # of a frame
 PAUSE = 5               # frames that the last one lasts
 TITLE = "Frontal section, seen from behind"
-MAP = 112               # of a palette of 256, for the colours of the pressure
+MAP = 112               # of a palette of 256, for the colors of the pressure
 BEHIND = {"ambient": 0.35, "diffuse": 0.65, "specular": 0.0}
 EDGE = {"color": "black", "line_width": 2, "lighting": False}
 # Nearer than what is behind the cut, which would hide parts of it, mm
@@ -34,7 +34,7 @@ def write(knee: Knee, file: pathlib.Path) -> None:
     """One frame for each saved time.
 
     The pressure in the frontal plane through the middle of the menisci, and
-    the bodies before it in the colours of their tissues.
+    the bodies before it in the colors of their tissues.
     """
     at = knee_views.middle_y(knee.bodies)
     halves, cuts = [], []
@@ -47,11 +47,11 @@ def write(knee: Knee, file: pathlib.Path) -> None:
         cuts.append(section.cut(list(bodies.values()), normal=1, at=at))
     every = [part for parts in cuts for part in parts]
     values = [part["fluid_pressure"] for part in every]
-    colours = knee_run.load_colours(every, values, 1)
+    colors = knee_run.load_colors(every, values, 1)
     extent = extent_of(halves, every)
-    frames = [draw_frame(half, parts, colours, extent)
+    frames = [draw_frame(half, parts, colors, extent)
               for half, parts in zip(halves, cuts)]
-    save(knee.times, frames, colours, section.extent(values, colours), file)
+    save(knee.times, frames, colors, section.extent(values, colors), file)
 
 
 def extent_of(halves: list[knee_views.Bodies], cuts: list) -> Extent:
@@ -63,12 +63,12 @@ def extent_of(halves: list[knee_views.Bodies], cuts: list) -> Extent:
     return left, right, bottom - BELOW, min(top, highest + ABOVE)
 
 
-def draw_frame(half: knee_views.Bodies, parts: list, colours: dict,
+def draw_frame(half: knee_views.Bodies, parts: list, colors: dict,
                extent: Extent) -> Picture:
     face = {"scalars": "fluid_pressure", "lighting": False,
-            "cmap": colours["cmap"],
-            "clim": (colours["vmin"], colours["vmax"])}
-    solids = [(body, BEHIND | {"color": knee_views.colour_of(name)})
+            "cmap": colors["cmap"],
+            "clim": (colors["vmin"], colors["vmax"])}
+    solids = [(body, BEHIND | {"color": knee_views.color_of(name)})
               for name, body in half.items()]
     for part in parts:
         edges = part.extract_feature_edges(
@@ -80,7 +80,7 @@ def draw_frame(half: knee_views.Bodies, parts: list, colours: dict,
     return solid_view.draw(solids, knee_views.POSTERIOR, WIDTH, extent)
 
 
-def save(times: list[float], frames: list[Picture], colours: dict,
+def save(times: list[float], frames: list[Picture], colors: dict,
          extend: str, file: pathlib.Path) -> None:
     height, width = frames[0].pixels.shape[:2]
     figure, axes = plt.subplots(dpi=DPI, figsize=(
@@ -90,7 +90,7 @@ def save(times: list[float], frames: list[Picture], colours: dict,
     title = axes.set_title(TITLE)
     figure.colorbar(
         plt.cm.ScalarMappable(
-            plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"]),
+            plt.Normalize(colors["vmin"], colors["vmax"]), colors["cmap"]),
         ax=axes, orientation="horizontal", aspect=50, pad=0.03,
         extend=extend, label="fluid pressure $p$ (MPa)")
     figure.draw_without_rendering()
@@ -101,7 +101,7 @@ def save(times: list[float], frames: list[Picture], colours: dict,
         title.set_text(f"{TITLE}, {time:g} s")
         images.append(rendered(figure))
     plt.close(figure)
-    palette = palette_of([images[0], images[-1]], colours["cmap"])
+    palette = palette_of([images[0], images[-1]], colors["cmap"])
     images = [image.quantize(palette=palette, dither=Image.Dither.NONE)
               for image in images]
     durations = [int(1000 * SECONDS)] * len(images)
@@ -111,7 +111,7 @@ def save(times: list[float], frames: list[Picture], colours: dict,
 
 
 def palette_of(images: list[Image.Image], cmap: str) -> Image.Image:
-    """One for all frames, lest a colour changes its meaning."""
+    """One for all frames, lest a color changes its meaning."""
     pressures = plt.get_cmap(cmap)(np.linspace(0, 1, MAP))[:, :3]
     others = np.reshape(Image.fromarray(np.vstack(images))
                         .quantize(256 - MAP).getpalette(), (-1, 3))

@@ -32,7 +32,7 @@ FIELDS = ("displacement", "fluid_pressure", "total_stress", "attribute")
 
 @dataclasses.dataclass(frozen=True)
 class Slice:
-    """Sections of the plane y = at: a meniscus' body, and its neighbours."""
+    """Sections of the plane y = at: a meniscus' body, and its neighbors."""
 
     at: float
     meniscus: object
@@ -219,15 +219,15 @@ def outermost(part, outwards: float):
     return pieces.extract_points(label == far).extract_surface().triangulate()
 
 
-def load_colours(surfaces: list, values: list[np.ndarray], sign: int,
+def load_colors(surfaces: list, values: list[np.ndarray], sign: int,
                  beyond: float = 0.01) -> dict:
     """A map and limits from nothing, dark, to the greatest load, bright.
 
     sign: of values where there is a load: 1 of a pressure, -1 of a stress.
-    Those of the other sign are beyond the colours.
+    Those of the other sign are beyond the colors.
     """
-    colours = section.colour_range(surfaces, values, beyond)
-    size = max(abs(colours["vmin"]), abs(colours["vmax"]))
+    colors = section.color_range(surfaces, values, beyond)
+    size = max(abs(colors["vmin"]), abs(colors["vmax"]))
     return {"cmap": "viridis" if sign > 0 else "viridis_r",
             "vmin": min(0.0, sign * size), "vmax": max(0.0, sign * size)}
 

@@ -7,7 +7,7 @@ import pyvista as pv
 import solid_view
 from solid_view import Extent, Picture, View
 
-COLOURS = {"femoral_cartilage": "#e6cba6", "tibial_cartilage": "#86b4cf",
+COLORS = {"femoral_cartilage": "#e6cba6", "tibial_cartilage": "#86b4cf",
            "meniscus": "#b5473a"}
 
 POSTERIOR = View(towards=(0, -1, 0), up=(0, 0, 1))
@@ -20,20 +20,20 @@ Bodies = dict[str, pv.DataSet]
 
 def mesh(bodies: Bodies, view: View, width: int,
          extent: Extent | None = None) -> Picture:
-    """The elements of the bodies, in the colours of their tissues."""
+    """The elements of the bodies, in the colors of their tissues."""
     solids = []
     for name, body in bodies.items():
         # Also curved elements are drawn as one face each, within its edges.
         faces = body.extract_surface(nonlinear_subdivision=0)
         solids.append((faces, {
-            "color": colour_of(name), "show_edges": True, "line_width": 1,
+            "color": color_of(name), "show_edges": True, "line_width": 1,
             "edge_color": "#303030", "ambient": 0.25, "diffuse": 0.75,
             "specular": 0.1}))
     return solid_view.draw(solids, view, width, extent)
 
 
-def colour_of(body: str) -> str:
-    return next(colour for tissue, colour in COLOURS.items()
+def color_of(body: str) -> str:
+    return next(color for tissue, color in COLORS.items()
                 if body.startswith(tissue))
 
 
@@ -56,5 +56,5 @@ def front_half(bodies: Bodies) -> Bodies:
 
 def middle_y(bodies: Bodies) -> float:
     """Of the menisci, halfway between their front and their back."""
-    centres = [body.center[1] for body in menisci(bodies)]
-    return sum(centres) / len(centres)
+    centers = [body.center[1] for body in menisci(bodies)]
+    return sum(centers) / len(centers)

@@ -65,7 +65,7 @@ def sections_figure(grid, up: int, cut: tuple[int, float], time: float,
          [part["effective_stress"][:, up] for part in parts]))
     points = np.vstack([part.points for part in parts])[:, plane]
     width, height = np.ptp(points, axis=0)
-    # Each panel has its own axes' and colour bar's labels around it.
+    # Each panel has its own axes' and color bar's labels around it.
     rows, columns = (1, 4) if height > width else (2, 2)
     panel_height = np.clip(8.8 / columns * height / width, 0.5, 5.5) + 1.25
     figure, axes = plt.subplots(rows, columns, squeeze=False,
@@ -73,7 +73,7 @@ def sections_figure(grid, up: int, cut: tuple[int, float], time: float,
     for axis, (name, kind, values) in zip(axes.flat, panels):
         section.draw_section(axis, parts, plane, values,
                              units.label(name, kind),
-                             **section.colour_range(parts, values))
+                             **section.color_range(parts, values))
         axis.set(xlabel=units.label(f"${AXES[plane[0]]}$", "length"),
                  ylabel=units.label(f"${a}$", "length"))
     axes[0, 0].plot([], [], label="before", **section.BEFORE)
@@ -109,17 +109,17 @@ def contact_figure(grid, name: str, time: float, units: Units):
     if not touching.any():
         return figure
     part = surface.extract_cells(touching).extract_surface()
-    colours = section.colour_range([part], [part["contact_pressure"]])
-    colours["vmin"] = min(colours["vmin"], 0.0)
+    colors = section.color_range([part], [part["contact_pressure"]])
+    colors["vmin"] = min(colors["vmin"], 0.0)
     mappable = section.draw_triangles(axes, surface.points[:, plane],
-                                      triangles[touching], values, **colours)
+                                      triangles[touching], values, **colors)
     bounds = np.reshape(part.bounds, (3, 2))[plane]
     margin = 0.2 * np.ptp(bounds, axis=1).max()
     whole = np.reshape(surface.bounds, (3, 2))[plane]
     low = np.maximum(bounds[:, 0] - margin, whole[:, 0])
     high = np.minimum(bounds[:, 1] + margin, whole[:, 1])
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    section.add_bar(axes, mappable, [part["contact_pressure"]], colours,
+    section.add_bar(axes, mappable, [part["contact_pressure"]], colors,
                     units.label("contact pressure", "pressure"))
     return figure
 
@@ -129,8 +129,8 @@ def view_figure(grid, up: int, time: float, units: Units):
     surfaces = [section.merged(body).extract_surface(nonlinear_subdivision=2)
                 .triangulate() for body in section.bodies_of(grid)]
     values = [surface["fluid_pressure"] for surface in surfaces]
-    colours = section.colour_range(surfaces, values)
-    picture = render(surfaces, direction_of_view(grid, up), up, colours)
+    colors = section.color_range(surfaces, values)
+    picture = render(surfaces, direction_of_view(grid, up), up, colors)
     height, width = picture.shape[:2]
     scale = min(8 / width, 5.5 / height)
     figure, axes = plt.subplots(figsize=(max(scale * width, 4),
@@ -139,8 +139,8 @@ def view_figure(grid, up: int, time: float, units: Units):
     axes.set_axis_off()
     axes.set_title(f"{units.at(time)}, edges before in red")
     mappable = plt.cm.ScalarMappable(
-        plt.Normalize(colours["vmin"], colours["vmax"]), colours["cmap"])
-    section.add_bar(axes, mappable, values, colours,
+        plt.Normalize(colors["vmin"], colors["vmax"]), colors["cmap"])
+    section.add_bar(axes, mappable, values, colors,
                     units.label("fluid pressure $p$", "pressure"), shrink=0.6)
     return figure
 
@@ -156,7 +156,7 @@ def direction_of_view(grid, up: int) -> np.ndarray:
 
 
 def render(surfaces: list, direction: np.ndarray, up: int,
-           colours: dict) -> np.ndarray:
+           colors: dict) -> np.ndarray:
     """Pixels, with the empty margins cut off."""
     import solid_view
 
@@ -166,8 +166,8 @@ def render(surfaces: list, direction: np.ndarray, up: int,
         after = before.copy()
         after.points = before.points + before["displacement"]
         plotter.add_mesh(after, scalars="fluid_pressure",
-                         cmap=colours["cmap"],
-                         clim=(colours["vmin"], colours["vmax"]),
+                         cmap=colors["cmap"],
+                         clim=(colors["vmin"], colors["vmax"]),
                          smooth_shading=True, split_sharp_edges=True,
                          ambient=0.45, diffuse=0.6, show_scalar_bar=False)
         edges = before.extract_feature_edges(
@@ -221,17 +221,17 @@ def line_figures(lines: dict[str, list[tuple[float, pathlib.Path]]], up: int,
         if not tables:
             continue
         figure, axes = plt.subplots(1, 4, figsize=(11.2, 2.7))
-        colours = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(tables)))
+        colors = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(tables)))
         for axis, (column, label, kind) in zip(axes.flat, quantities):
-            for (time, table), colour in zip(tables, colours):
-                axis.plot(table["s"], table[column], color=colour,
+            for (time, table), color in zip(tables, colors):
+                axis.plot(table["s"], table[column], color=color,
                           marker="o" if table["s"].size == 1 else None)
             axis.axhline(0, color="#666666", linewidth=0.6, zorder=0)
             axis.set(xlabel=units.label("distance $s$", "length"),
                      ylabel=units.label(label, kind))
         step = max(1, -(-len(tables) // MOST_IN_LEGEND))
         shown = sorted({*range(0, len(tables), step), len(tables) - 1})
-        handles = [plt.Line2D([], [], color=colours[i],
+        handles = [plt.Line2D([], [], color=colors[i],
                               label=units.at(tables[i][0])) for i in shown]
         figure.legend(handles=handles, loc="outside upper right",
                       ncols=len(handles))

@@ -47,13 +47,13 @@ def plot_curves(time: np.ndarray, curves: list[Curve], title: str,
     columns = 1 if max(len(name) for name, _ in curves) > 24 else 2
     legend = 0.17 * -(-len(curves) // columns) if long else 0.0
     figure, axes = plt.subplots(figsize=(WIDTH, HEIGHT + legend))
-    colours = plt.rcParams["axes.prop_cycle"].by_key()["color"]
+    colors = plt.rcParams["axes.prop_cycle"].by_key()["color"]
     # Few points may be all there is; a curve of one would not be seen.
     marker = "o" if time.size <= 3 else ("." if log or steps else None)
     for i, (name, values) in enumerate(curves):
-        axes.plot(time, values, label=name, color=colours[i % len(colours)],
+        axes.plot(time, values, label=name, color=colors[i % len(colors)],
                   linestyle="none" if steps
-                  else STROKES[i // len(colours) % len(STROKES)],
+                  else STROKES[i // len(colors) % len(STROKES)],
                   linewidth=0.8 if log else 1.6,
                   marker=marker, markersize=4 if marker == "o" else 3)
     if log:

@@ -74,33 +74,33 @@ def draw_outlines(axes: plt.Axes, sections: list, plane: list[int]) -> None:
 
 
 def draw_section(axes: plt.Axes, sections: list, plane: list[int],
-                 values: list[np.ndarray], label: str, **colours):
+                 values: list[np.ndarray], label: str, **colors):
     """Values at the sections' points, on their deformed shapes, with a bar.
 
-    plane: the two coordinates to draw, horizontal and vertical; colours:
+    plane: the two coordinates to draw, horizontal and vertical; colors:
     arguments of tripcolor (cmap, vmin, vmax). Gives the mappable.
     """
-    mappable = draw_values(axes, sections, plane, values, **colours)
-    add_bar(axes, mappable, values, colours, label)
+    mappable = draw_values(axes, sections, plane, values, **colors)
+    add_bar(axes, mappable, values, colors, label)
     return mappable
 
 
-def add_bar(axes: plt.Axes, mappable, values: list[np.ndarray], colours: dict,
+def add_bar(axes: plt.Axes, mappable, values: list[np.ndarray], colors: dict,
             label: str, **look) -> None:
     """A horizontal color bar below the axes.
 
     Where values go beyond the colors, it has arrows, and says how far.
     """
     plt.colorbar(mappable, ax=axes, orientation="horizontal",
-                 extend=extent(values, colours), aspect=40, pad=0.02,
+                 extend=extent(values, colors), aspect=40, pad=0.02,
                  ticks=MaxNLocator(5),
-                 label=label + beyond_in_words(values, colours), **look)
+                 label=label + beyond_in_words(values, colors), **look)
 
 
-def beyond_in_words(values: list[np.ndarray], colours: dict) -> str:
+def beyond_in_words(values: list[np.ndarray], colors: dict) -> str:
     """For the label of a color bar: the extremes that its colors leave out."""
     every = np.concatenate(values)
-    ends = extent(values, colours)
+    ends = extent(values, colors)
     extremes = [f"{value:.3g}".replace("-", "\N{MINUS SIGN}")
                 for end, value in (("min", every.min()), ("max", every.max()))
                 if ends in (end, "both")]
@@ -111,7 +111,7 @@ def beyond_in_words(values: list[np.ndarray], colours: dict) -> str:
 
 
 def draw_values(axes: plt.Axes, sections: list, plane: list[int],
-                values: list[np.ndarray], **colours):
+                values: list[np.ndarray], **colors):
     """What draw_section draws, without the bar."""
     mappable = None
     for section, value in zip(sections, values):
@@ -119,7 +119,7 @@ def draw_values(axes: plt.Axes, sections: list, plane: list[int],
         triangles = triangles_of(section)
         mappable = draw_triangles(axes, x[:, plane],
                                   triangles[~slivers(section, triangles)],
-                                  value, **colours)
+                                  value, **colors)
     draw_outlines(axes, sections, plane)
     axes.autoscale_view()
     axes.set_aspect("equal")
@@ -127,7 +127,7 @@ def draw_values(axes: plt.Axes, sections: list, plane: list[int],
 
 
 def draw_triangles(axes: plt.Axes, points: np.ndarray, triangles: np.ndarray,
-                   values: np.ndarray, **colours):
+                   values: np.ndarray, **colors):
     """Values that are linear in each triangle, in the colors of the map.
 
     Matplotlib mixes the colors of a triangle's corners, which gives others
@@ -139,7 +139,7 @@ def draw_triangles(axes: plt.Axes, points: np.ndarray, triangles: np.ndarray,
             break
         points, triangles, values = split(points, triangles, values)
     return axes.tripcolor(points[:, 0], points[:, 1], triangles, values,
-                          shading="gouraud", rasterized=True, **colours)
+                          shading="gouraud", rasterized=True, **colors)
 
 
 def split(points: np.ndarray, triangles: np.ndarray, values: np.ndarray
@@ -156,23 +156,23 @@ def split(points: np.ndarray, triangles: np.ndarray, values: np.ndarray
             np.concatenate([values, values[edges].mean(axis=1)]))
 
 
-def extent(values: list[np.ndarray], colours: dict) -> str:
-    """On which sides values go beyond the colours."""
+def extent(values: list[np.ndarray], colors: dict) -> str:
+    """On which sides values go beyond the colors."""
     every = np.concatenate(values)
     # Round-off in a uniform field is not beyond them.
-    tolerance = 1e-3 * (colours["vmax"] - colours["vmin"])
-    low = every.min() < colours["vmin"] - tolerance
-    high = every.max() > colours["vmax"] + tolerance
+    tolerance = 1e-3 * (colors["vmax"] - colors["vmin"])
+    low = every.min() < colors["vmin"] - tolerance
+    high = every.max() > colors["vmax"] + tolerance
     return {(False, False): "neither", (True, False): "min",
             (False, True): "max", (True, True): "both"}[low, high]
 
 
-def colour_range(sections: list, values: list[np.ndarray],
+def color_range(sections: list, values: list[np.ndarray],
                  beyond: float = 0.01) -> dict:
     """A map and limits for values at the sections' points.
 
     Values of that part of the area may go beyond them: the singularity at an
-    edge doesn't determine the colours. Values of both signs get a map with
+    edge doesn't determine the colors. Values of both signs get a map with
     white at zero; where one sign is no more than noise, the map is for the
     other one only.
     """
@@ -207,7 +207,7 @@ def areas(section, triangles: np.ndarray) -> np.ndarray:
 def slivers(section, triangles: np.ndarray) -> np.ndarray:
     """Which triangles are of elements that the plane hardly touches.
 
-    They would be drawn one pixel wide over their neighbours.
+    They would be drawn one pixel wide over their neighbors.
     """
     corners = section.points[triangles]
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1),

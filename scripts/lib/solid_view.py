@@ -55,7 +55,7 @@ def draw(solids: list[tuple[pv.DataSet, dict]], view: View, width: int,
     """Solids, each with arguments of pyvista's add_mesh; width in pixels.
 
     The light comes from where it is seen, so that a face turned there has the
-    very colour it was given.
+    very color it was given.
     """
     extent = extent or view.extent([solid for solid, _ in solids])
     left, right, bottom, top = extent

@@ -43,7 +43,7 @@ def compiler() -> list[str]:
 
 def source_of(blocks: list[Block]) -> str:
     """Lines keep their numbers in the README for the compiler's messages."""
-    parts = ['#include "synovia.hpp"']
+    parts = ['#include "synovia/synovia.hpp"']
     for block in blocks:
         lines = f'#line {block.line} "{block.file}"\n{block.text}'
         kind, _, what = block.note.partition(": ")

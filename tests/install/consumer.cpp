@@ -1,7 +1,7 @@
 // What a project of somebody else does with the installed library: two layers
 // of cartilage, pressed together.
 
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <cmath>
 #include <iostream>

@@ -5,9 +5,9 @@
 // others, goes on as the run that was not interrupted: a box is pressed onto a
 // layer, and its contact comes and goes.
 
-#include "io/canonical_order.hpp"
 #include "support/pressed_box.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/io/canonical_order.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -86,7 +86,7 @@ def check_supports(rows: list[dict[str, float]]) -> None:
                              for d in "xy")
         down = 1e3 * loaded[horn + "z"] / STIFFNESS["z"]
         check(0.1 < sideways < 0.1 * down and down < 800,
-              f"{horn[7:-1]} goes down by {down:.0f} micrometres, sideways by "
+              f"{horn[7:-1]} goes down by {down:.0f} micrometers, sideways by "
               f"{sideways:.1f}")
     worst = max(abs(row["fluid.volume_balance"])
                 / max(abs(row["fluid.outflow"]), 1e-6) for row in rows)

@@ -4,7 +4,7 @@
 Requirements: as many unknowns as the mesh has; every order, element and solver
 converges; the same forces with either solver, on one rank and on two; contact
 forces in balance; volume matrices assembled, hierarchies set up and a kept
-factorisation made once; few iterations whatever the material and the penalty;
+factorization made once; few iterations whatever the material and the penalty;
 what goes wrong is said.
 """
 
@@ -98,7 +98,7 @@ def check_orders(run: Runs) -> None:
                   "up to four with order 3")
             forces.append(row["force"])
             if solver == "direct":
-                check(row["factorisations"] == 1, "one factorisation")
+                check(row["factorisations"] == 1, "one factorization")
         change = max(abs(force / forces[0] - 1.0) for force in forces)
         check(change < 1e-5, f"forces differ by {change:.0e}")
 

@@ -12,7 +12,7 @@ namespace synovia
 namespace
 {
 
-// Surfaces of the model with their centres of mass at a height.
+// Surfaces of the model with their centers of mass at a height.
 std::vector<int> SurfacesAt(double z)
 {
    gmsh::vectorpair surfaces;

@@ -51,7 +51,7 @@ void BuildCylinder(Cells cells, double size);
 /// The ball of radius 1 around the origin: volume "ball", surface "sphere".
 void BuildBall(double size);
 
-/// The unit cube of six pyramids that meet in its centre: volume "cube".
+/// The unit cube of six pyramids that meet in its center: volume "cube".
 void BuildPyramids();
 /// @}
 

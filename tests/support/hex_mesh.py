@@ -9,7 +9,7 @@ import numpy as np
 # Faces of a hexahedron, seen from outside.
 FACES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5),
                   (2, 3, 7, 6), (3, 0, 4, 7)])
-# Corners, each with its neighbours in right-handed order.
+# Corners, each with its neighbors in right-handed order.
 CORNERS = np.array([(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
                     (4, 7, 5, 0), (5, 4, 6, 1), (6, 5, 7, 2), (7, 6, 4, 3)])
 
@@ -62,8 +62,8 @@ class HexMesh:
         """The smallest at the corners, of elements with straight edges."""
         x = self.x[self.regions[region]]
         worst = np.inf
-        for corner, *neighbours in CORNERS:
-            e = x[:, neighbours] - x[:, [corner]]
+        for corner, *neighbors in CORNERS:
+            e = x[:, neighbors] - x[:, [corner]]
             det = np.linalg.det(e / np.linalg.norm(e, axis=2)[..., None])
             worst = min(worst, float(det.min()))
         return worst

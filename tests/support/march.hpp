@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/biphasic_problem.hpp"
+#include "synovia/physics/biphasic_problem.hpp"
 
 namespace synovia
 {

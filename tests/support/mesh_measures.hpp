@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/named_mesh.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 namespace synovia
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 namespace synovia
 {

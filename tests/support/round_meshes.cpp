@@ -169,7 +169,7 @@ NamedMesh MakeBallOctant(const RoundOptions &options)
    const int n = options.core;
    Mesh mesh(3, 0, 0);
    ShellGrid grid(mesh, options);
-   // A quadrilateral, whose normal points away from the centre, and the one
+   // A quadrilateral, whose normal points away from the center, and the one
    // outside of it.
    const auto add_hex =
       [&](const std::array<std::array<int, 3>, 4> &corners, int shell)

@@ -45,7 +45,7 @@ def synthetic_labels(mirrored: bool = False
         labels[(((x - x0) / width)**2 + ((y - y0) / length)**2 < 1)
                & (z < top) & (z > layer.bone(x, y))] = tibia
         wedge = body.menisci[side]
-        angle, radius = polar(wedge.centre, wedge.angles, x, y)
+        angle, radius = polar(wedge.center, wedge.angles, x, y)
         order = np.argsort(wedge.angles)
         angles = wedge.angles[order]
         inside = (radius < 30) & (np.abs(z) < 15) \

@@ -3,9 +3,9 @@
 // Attributes that a mesh doesn't have are errors wherever programs give them.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
-#include "mesh/boundary_marker.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 //
 // What differs between two cases, and what a resumed run may have changed.
 
-#include "cases/case_difference.hpp"
+#include "synovia/cases/case_difference.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 // ranks: 1 2 3
 
-#include "cases/case_file.hpp"
-#include "general/error.hpp"
+#include "synovia/cases/case_file.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -67,7 +67,7 @@ std::string Replaced(std::string text, const std::string &from,
    return text.replace(at, from.size(), to);
 }
 
-std::string Complaint(const std::string &text,
+std::string CaseError(const std::string &text,
                       const std::vector<std::string> &overrides = {})
 {
    try
@@ -179,10 +179,10 @@ TEST_CASE("A key may have its former name, but not both", "[case]")
       CHECK_THAT(Written(setup), Contains("\ntolerance = 1e-06\n") &&
                                     !Contains("linear_tolerance"));
    }
-   CHECK_THAT(Complaint(with("tolerance = 1e-6\nlinear_tolerance = 1e-7")),
+   CHECK_THAT(CaseError(with("tolerance = 1e-6\nlinear_tolerance = 1e-7")),
               Contains("solver.tolerance: it is there as \"linear_tolerance\", "
                        "its former name, too"));
-   CHECK_THAT(Complaint(with("linear_tolerance = 2.0")),
+   CHECK_THAT(CaseError(with("linear_tolerance = 2.0")),
               Contains("solver.tolerance: found 2; it must be"));
 }
 
@@ -357,7 +357,7 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
    };
    for (const Fault &fault : faults)
    {
-      const std::string said = Complaint(Replaced(good, fault.from, fault.to));
+      const std::string said = CaseError(Replaced(good, fault.from, fault.to));
       CAPTURE(fault.to, said);
       REQUIRE_FALSE(said.empty());
       CHECK(std::count(said.begin(), said.end(), '\n') <= 1);
@@ -374,7 +374,7 @@ TEST_CASE("All that is wrong is said at once, in the order of the file",
    std::string text = Replaced(good, "scale = 1000", "scale = -1");
    text = Replaced(text, "nu = 0.1", "nu = 3");
    text = Replaced(text, "scheme =", "sceme =");
-   const std::string said = Complaint(text);
+   const std::string said = CaseError(text);
    CAPTURE(said);
    CHECK(said.find("mesh.scale") < said.find("solid.nu"));
    CHECK(said.find("solid.nu") < said.find("time.sceme"));
@@ -385,8 +385,8 @@ TEST_CASE("All that is wrong is said at once, in the order of the file",
    {
       many += "unknown" + std::to_string(i) + " = 1\n";
    }
-   CHECK_THAT(Complaint(many), Contains("and 5 more"));
-   CHECK_THAT(Complaint(""), Contains("mesh.file") && Contains("time.end") &&
+   CHECK_THAT(CaseError(many), Contains("and 5 more"));
+   CHECK_THAT(CaseError(""), Contains("mesh.file") && Contains("time.end") &&
                                 Contains("time.step") && Contains("material"));
 }
 
@@ -417,7 +417,7 @@ TEST_CASE("Impossible overrides say why", "[case]")
    const auto check =
       [](const std::string &assignment, const std::vector<std::string> &texts)
    {
-      const std::string said = Complaint(good, {assignment});
+      const std::string said = CaseError(good, {assignment});
       CAPTURE(said);
       CHECK_THAT(said, Contains("--set " + assignment));
       for (const std::string &text : texts)

@@ -5,13 +5,13 @@
 // is either an error that says where, or a case that makes sense, which can be
 // set up and written. Nothing crashes, hangs, or throws anything else.
 
-#include "cases/case_file.hpp"
-#include "cases/case_problem.hpp"
-#include "cases/line_output.hpp"
-#include "cases/problem_report.hpp"
-#include "general/error.hpp"
-#include "mesh/stack_bodies.hpp"
 #include "support/boxes.hpp"
+#include "synovia/cases/case_file.hpp"
+#include "synovia/cases/case_problem.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
+#include "synovia/runs/line_output.hpp"
+#include "synovia/runs/problem_report.hpp"
 
 #include <catch2/catch.hpp>
 

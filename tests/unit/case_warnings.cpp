@@ -1,10 +1,10 @@
 // ranks: 1 2 3
 
-#include "checks/case_warnings.hpp"
-#include "cases/problem_report.hpp"
-#include "checks/contact_hints.hpp"
+#include "synovia/checks/case_warnings.hpp"
 #include "support/boxes.hpp"
 #include "support/round_meshes.hpp"
+#include "synovia/checks/contact_hints.hpp"
+#include "synovia/runs/problem_report.hpp"
 
 #include <catch2/catch.hpp>
 

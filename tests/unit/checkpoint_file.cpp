@@ -3,10 +3,10 @@
 // Files of checkpoints: damaged ones, foreign ones, full disks. That a run goes
 // on from one as if nothing had been is tested in parallel/checkpoint.cpp.
 
-#include "io/hdf5_columns.hpp"
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
-#include "synovia.hpp"
+#include "synovia/io/hdf5_columns.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

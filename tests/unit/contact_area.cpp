@@ -3,9 +3,9 @@
 // The area where a function of the vertices is negative, of what the source
 // covers: exact for linear functions, whose zero line is straight.
 
-#include "contact/gap_operators.hpp"
-#include "general/reduce.hpp"
 #include "support/boxes.hpp"
+#include "synovia/contact/gap_operators.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,14 +3,14 @@
 //
 // The Jacobian of two bodies that are partly in contact, partly apart, partly
 // sealed and partly drained, against differences of the equations that it
-// claims to linearise:
+// claims to linearize:
 //
 //     momentum:  K u - B^T p - contact forces
 //     mass:      B u + (dt L + S) p + dt x fluid exchanged in contact
 
-#include "solvers/biphasic_jacobian.hpp"
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -125,9 +125,9 @@ public:
          matrices->divergence_transpose->Mult(-1.0, p, 1.0, momentum);
          matrices->divergence->Mult(u, mass);
          matrices->darcy->Mult(dt, p, 1.0, mass);
-         if (matrices->stabilisation)
+         if (matrices->stabilization)
          {
-            matrices->stabilisation->Mult(1.0, p, 1.0, mass);
+            matrices->stabilization->Mult(1.0, p, 1.0, mass);
          }
       }
       momentum -= forces;

@@ -1,8 +1,8 @@
 // Layers made in memory have the shape and the sides that they should.
 
-#include "mesh/curved_layers.hpp"
-#include "general/error.hpp"
-#include "general/reduce.hpp"
+#include "synovia/mesh/curved_layers.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 

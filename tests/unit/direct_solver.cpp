@@ -3,7 +3,7 @@
 // Factorizing one matrix after another, by each library that there is: the
 // tests are also built without MUMPS, and without UMFPACK.
 
-#include "solvers/direct_solver.hpp"
+#include "synovia/linalg/direct_solver.hpp"
 
 #include <catch2/catch.hpp>
 

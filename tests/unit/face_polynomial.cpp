@@ -3,7 +3,7 @@
 // Faces as polynomials: the same as their shape functions, on the face and
 // around it.
 
-#include "contact/face_polynomial.hpp"
+#include "synovia/contact/face_polynomial.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +14,7 @@ using namespace synovia;
 
 namespace
 {
-// Nodes of a face of a few millimetres that is far from the origin.
+// Nodes of a face of a few millimeters that is far from the origin.
 DenseMatrix SomeNodes(int count)
 {
    DenseMatrix nodes(3, count);

@@ -4,7 +4,7 @@
 // The gap and pressure jump between two boxes on top of each other, whose
 // meshes do not match: what they must be, exactly, for simple fields.
 
-#include "contact/gap_operators.hpp"
+#include "synovia/contact/gap_operators.hpp"
 #include "support/boxes.hpp"
 
 #include <catch2/catch.hpp>

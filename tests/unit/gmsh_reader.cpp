@@ -3,12 +3,12 @@
 // ranks: 1 2 3
 // timeout: 300
 
-#include "mesh/flat_mesh.hpp"
-#include "mesh/gmsh_file.hpp"
-#include "mesh/named_mesh.hpp"
 #include "support/gmsh_meshes.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/msh_text.hpp"
+#include "synovia/mesh/flat_mesh.hpp"
+#include "synovia/mesh/gmsh_file.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <catch2/catch.hpp>
 #include <gmsh.h>

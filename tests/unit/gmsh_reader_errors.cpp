@@ -3,10 +3,10 @@
 // ranks: 1 2 3
 // timeout: 300
 
-#include "general/error.hpp"
-#include "mesh/named_mesh.hpp"
 #include "support/gmsh_meshes.hpp"
 #include "support/msh_text.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <catch2/catch.hpp>
 #include <gmsh.h>

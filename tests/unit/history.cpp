@@ -1,9 +1,9 @@
 // ranks: 1 2 3
 
-#include "io/history.hpp"
-#include "general/error.hpp"
-#include "io/hdf5_columns.hpp"
+#include "synovia/io/history.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/io/hdf5_columns.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,15 +4,15 @@
 // formulas as another program has them, against differences of themselves,
 // at small strains, and in a frame that turns.
 
-#include "materials/deforming_permeability.hpp"
-#include "materials/fiber_laws.hpp"
-#include "materials/holmes_mow.hpp"
-#include "materials/mooney_rivlin.hpp"
-#include "materials/neo_hookean.hpp"
-#include "materials/porous_neo_hookean.hpp"
-#include "materials/saint_venant_kirchhoff.hpp"
-#include "materials/solid_mixture.hpp"
-#include "synovia.hpp"
+#include "synovia/materials/deforming_permeability.hpp"
+#include "synovia/materials/fiber_laws.hpp"
+#include "synovia/materials/holmes_mow.hpp"
+#include "synovia/materials/mooney_rivlin.hpp"
+#include "synovia/materials/neo_hookean.hpp"
+#include "synovia/materials/porous_neo_hookean.hpp"
+#include "synovia/materials/saint_venant_kirchhoff.hpp"
+#include "synovia/materials/solid_mixture.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 // Two boxes that overlap by a known amount as meshed.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

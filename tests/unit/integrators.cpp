@@ -1,10 +1,10 @@
 // ranks: 1
 
-#include "general/symmetric_eigenvalues.hpp"
-#include "integrators/effective_stress_integrator.hpp"
-#include "integrators/pressure_projection_integrator.hpp"
-#include "materials/isotropic_elastic.hpp"
-#include "materials/permeability_law.hpp"
+#include "synovia/fem/effective_stress_integrator.hpp"
+#include "synovia/fem/pressure_projection_integrator.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
+#include "synovia/materials/isotropic_elastic.hpp"
+#include "synovia/materials/permeability_law.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,9 +3,9 @@
 // Laws that fail in one element only are refused on all ranks alike, with
 // region, element, place and value, before anything is assembled.
 
-#include "general/error.hpp"
 #include "support/two_boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -84,7 +84,7 @@ public:
    {
       return InTheOne(trans, ip) ? value : 1e-3;
    }
-   real_t Typical() const override { return typical; }
+   real_t ReferenceValue() const override { return typical; }
 
    real_t typical = 1e-3;
 
@@ -93,7 +93,7 @@ private:
 };
 
 /// What the problem says of its laws before it is assembled; empty if nothing.
-std::string Complaint(const SolidLaw &solid,
+std::string CaseError(const SolidLaw &solid,
                       const PermeabilityLaw &permeability, int order,
                       Element::Type type = Element::HEXAHEDRON)
 {
@@ -125,7 +125,7 @@ TEST_CASE("Laws that hold everywhere are taken", "[laws]")
 {
    const auto type =
       GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON, Element::WEDGE);
-   CHECK(Complaint(PatchySolid(nothing), PatchyPermeability(1e-9),
+   CHECK(CaseError(PatchySolid(nothing), PatchyPermeability(1e-9),
                    GENERATE(1, 2), type) == "");
    // Nearly incompressible, and nearly rigid in one direction
    const auto stiffen = [](DenseMatrix &c)
@@ -134,7 +134,7 @@ TEST_CASE("Laws that hold everywhere are taken", "[laws]")
       IsotropicElastic(1.0, 0.4999999).GetStiffness(trans, {}, c);
       c(2, 2) *= 1e6;
    };
-   CHECK(Complaint(PatchySolid(stiffen), PatchyPermeability(1e-3), 1) == "");
+   CHECK(CaseError(PatchySolid(stiffen), PatchyPermeability(1e-3), 1) == "");
 }
 
 TEST_CASE("A permeability must be positive and finite", "[laws]")
@@ -142,7 +142,7 @@ TEST_CASE("A permeability must be positive and finite", "[laws]")
    const real_t value = GENERATE(-3e-3, 0.0, not_finite, not_a_number);
    const int order = GENERATE(1, 2);
    const std::string text =
-      Complaint(PatchySolid(nothing), PatchyPermeability(value), order);
+      CaseError(PatchySolid(nothing), PatchyPermeability(value), order);
    CAPTURE(text);
    CHECK_THAT(text, Catch::StartsWith("the permeability" + PlaceOfTheOne()));
    const std::string number = value != value        ? "nan"
@@ -157,7 +157,7 @@ TEST_CASE("A stiffness must be finite, symmetric and positive definite",
           "[laws]")
 {
    const auto complaint = [](const PatchySolid::Change &change)
-   { return Complaint(PatchySolid(change), PatchyPermeability(1e-3), 1); };
+   { return CaseError(PatchySolid(change), PatchyPermeability(1e-3), 1); };
    const std::string start = "the stiffness" + PlaceOfTheOne();
 
    std::string text = complaint([](DenseMatrix &c) { c(4, 4) = -0.25; });
@@ -185,12 +185,12 @@ TEST_CASE("The scales that laws give must be positive", "[laws]")
    PatchySolid solid(nothing);
    PatchyPermeability permeability(1e-3);
    solid.aggregate = -2.0;
-   CHECK(Complaint(solid, permeability, 1) ==
+   CHECK(CaseError(solid, permeability, 1) ==
          "the aggregate modulus of region \"upper\" is -2; it must be positive "
          "and finite");
    solid.aggregate = 1.0;
    permeability.typical = not_a_number;
    CHECK_THAT(
-      Complaint(solid, permeability, 1),
+      CaseError(solid, permeability, 1),
       Catch::StartsWith("the typical permeability of region \"upper\" is nan"));
 }

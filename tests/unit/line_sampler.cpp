@@ -1,10 +1,10 @@
 // ranks: 1 2 3
 
-#include "io/line_sampler.hpp"
-#include "general/error.hpp"
+#include "synovia/io/line_sampler.hpp"
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/two_boxes.hpp"
+#include "synovia/general/error.hpp"
 
 #include <catch2/catch.hpp>
 

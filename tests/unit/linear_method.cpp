@@ -3,8 +3,8 @@
 // What "auto" makes of a problem's size and of its solids.
 
 #include "support/boxes.hpp"
-#include "support/meniscus_fibres.hpp"
-#include "synovia.hpp"
+#include "support/meniscus_fibers.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -39,26 +39,26 @@ TEST_CASE("The worst ratios of moduli count, on whatever rank they are")
    }
    const CartesianFrame along({0.0, 1.0, 0.0});
    const CartesianFrame across({1.0, 1.0, 0.0});
-   const TransverselyIsotropic straight(MeniscusFibres(), along);
-   const TransverselyIsotropic oblique(MeniscusFibres(), across);
+   const TransverselyIsotropic straight(MeniscusFibers(), along);
+   const TransverselyIsotropic oblique(MeniscusFibers(), across);
    const real_t all = Ratios(soft, straight).anisotropy;
    CHECK(all > 500.0);
-   // cos(45 degrees)^4 of it, but for what is between the fibres.
+   // cos(45 degrees)^4 of it, but for what is between the fibers.
    CHECK(Ratios(oblique, soft).anisotropy == Approx(0.25 * all).epsilon(0.01));
 }
 
-TEST_CASE("The method follows from the size and from stiff fibres")
+TEST_CASE("The method follows from the size and from stiff fibers")
 {
    LinearOptions options;
    options.direct_below = 1000;
    const ModuliRatios ordinary{2.0, 1.0};
-   const ModuliRatios fibres{2.0, 500.0};
+   const ModuliRatios fibers{2.0, 500.0};
    CHECK(ChooseMethod(options, 1000, ordinary) == LinearMethod::direct);
    CHECK(ChooseMethod(options, 1001, ordinary) == LinearMethod::block_amg);
-   CHECK(ChooseMethod(options, 2000, fibres) == LinearMethod::direct);
-   CHECK(ChooseMethod(options, 2001, fibres) == LinearMethod::block_amg);
+   CHECK(ChooseMethod(options, 2000, fibers) == LinearMethod::direct);
+   CHECK(ChooseMethod(options, 2001, fibers) == LinearMethod::block_amg);
    options.method = LinearMethod::direct;
    CHECK(ChooseMethod(options, 2001, ordinary) == LinearMethod::direct);
    options.method = LinearMethod::block_amg;
-   CHECK(ChooseMethod(options, 1, fibres) == LinearMethod::block_amg);
+   CHECK(ChooseMethod(options, 1, fibers) == LinearMethod::block_amg);
 }

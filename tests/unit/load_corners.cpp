@@ -3,8 +3,8 @@
 // Where loads have a corner the step after it starts from rest; elsewhere it is
 // guessed from the rates of the one before.
 
-#include "general/reduce.hpp"
 #include "support/pressed_box.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // ranks: 1
 
-#include "general/load_curve.hpp"
-#include "general/error.hpp"
+#include "synovia/general/load_curve.hpp"
+#include "synovia/general/error.hpp"
 
 #include <catch2/catch.hpp>
 

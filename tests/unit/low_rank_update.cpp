@@ -2,7 +2,7 @@
 //
 // Solving with a changed matrix by way of the unchanged one.
 
-#include "solvers/low_rank_update.hpp"
+#include "synovia/linalg/low_rank_update.hpp"
 
 #include <catch2/catch.hpp>
 

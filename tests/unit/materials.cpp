@@ -1,10 +1,10 @@
 // ranks: 1
 
-#include "general/error.hpp"
-#include "general/symmetric_eigenvalues.hpp"
-#include "materials/isotropic_elastic.hpp"
-#include "materials/material_table.hpp"
-#include "materials/permeability_law.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
+#include "synovia/materials/isotropic_elastic.hpp"
+#include "synovia/materials/material_table.hpp"
+#include "synovia/materials/permeability_law.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -100,7 +100,7 @@ TEST_CASE("Moduli that make no sense are refused")
 
 TEST_CASE("Permeabilities that make no sense are refused")
 {
-   CHECK(ConstantPermeability(4.0e-3).Typical() == 4.0e-3);
+   CHECK(ConstantPermeability(4.0e-3).ReferenceValue() == 4.0e-3);
    CHECK_THROWS_WITH(ConstantPermeability(0.0),
                      "the permeability is 0; it must be positive");
    CHECK_THROWS_WITH(ConstantPermeability(-4.0e-3),

@@ -2,9 +2,9 @@
 
 // ranks: 1 2 3
 
-#include "mesh/mesh_quality.hpp"
-#include "mesh/named_mesh.hpp"
-#include "mesh/stack_bodies.hpp"
+#include "synovia/mesh/mesh_quality.hpp"
+#include "synovia/mesh/named_mesh.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -111,8 +111,8 @@ TEST_CASE("mesh quality: over all ranks")
    CHECK(quality.min_scaled_jacobian == Approx(std::sqrt(0.5)));
    CHECK(quality.median_scaled_jacobian == Approx(1.0));
    CHECK(quality.worst_attribute == 2);
-   CHECK(quality.worst_centre[0] == Approx(6.0));
-   CHECK(quality.worst_centre[2] == Approx(0.5));
+   CHECK(quality.worst_center[0] == Approx(6.0));
+   CHECK(quality.worst_center[2] == Approx(0.5));
    CHECK(quality.shortest_edge == Approx(0.5));
    CHECK(quality.longest_edge == Approx(std::sqrt(2.0)));
    CHECK(quality.volume == Approx(2.0));

@@ -2,11 +2,11 @@
 
 // ranks: 1 2 3
 
-#include "mesh/named_mesh.hpp"
-#include "general/error.hpp"
-#include "general/suggestion.hpp"
-#include "mesh/stack_bodies.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 #include "support/mesh_measures.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/suggestion.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
 
 #include <catch2/catch.hpp>
 

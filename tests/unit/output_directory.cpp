@@ -1,8 +1,8 @@
 // ranks: 1 2 3
 
-#include "io/output_directory.hpp"
-#include "general/error.hpp"
+#include "synovia/io/output_directory.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,13 +3,13 @@
 // Files that can't be written, each of which says why, on a disk without space
 // above all: that is /dev/full.
 
-#include "io/output_file.hpp"
-#include "cases/run_directory.hpp"
-#include "io/line_sampler.hpp"
-#include "io/run_log.hpp"
+#include "synovia/io/output_file.hpp"
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
-#include "synovia.hpp"
+#include "synovia/io/line_sampler.hpp"
+#include "synovia/io/run_log.hpp"
+#include "synovia/runs/run_directory.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 // ranks: 1 2 3
 
-#include "io/paraview_output.hpp"
-#include "general/error.hpp"
-#include "io/vtu_piece.hpp"
+#include "synovia/io/paraview_output.hpp"
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/io/vtu_piece.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 // Triangles of a random tiling of the plane, clipped to a reference face: the
 // pieces tile the face, and their rules add up to integrals over it.
 
-#include "contact/polygon_clip.hpp"
+#include "synovia/contact/polygon_clip.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 //
 // The estimate of the time that a run still takes.
 
-#include "io/remaining_time.hpp"
+#include "synovia/io/remaining_time.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,10 +3,10 @@
 // What a run leaves in its output directory: who may write there, what counts
 // as a result, and what is removed before another run.
 
-#include "io/result_files.hpp"
-#include "cases/run_directory.hpp"
-#include "general/error.hpp"
+#include "synovia/io/result_files.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/runs/run_directory.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // ranks: 1
 
-#include "solvers/sdirk2_solver.hpp"
+#include "synovia/time/sdirk2_solver.hpp"
 
 #include <catch2/catch.hpp>
 

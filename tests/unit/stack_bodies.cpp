@@ -2,10 +2,10 @@
 
 // ranks: 1 2
 
-#include "mesh/stack_bodies.hpp"
-#include "general/error.hpp"
-#include "mesh/named_mesh.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
 #include "support/mesh_measures.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/mesh/named_mesh.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 //
 // What the step control decides, without a problem to solve.
 
-#include "solvers/step_control.hpp"
+#include "synovia/time/step_control.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 //
 // Signals that ask a run to stop.
 
-#include "general/stop_request.hpp"
+#include "synovia/general/stop_request.hpp"
 #include "mfem.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 // The largest principal strain and the smallest det F against closed forms, and
 // the places where they are, which must not depend on the ranks.
 
-#include "physics/strain_monitor.hpp"
+#include "synovia/fem/strain_monitor.hpp"
 #include "support/boxes.hpp"
 #include "support/round_meshes.hpp"
 #include "support/two_boxes.hpp"

@@ -1,9 +1,9 @@
 // ranks: 1 2 3
 
-#include "physics/stress_recovery.hpp"
-#include "materials/isotropic_elastic.hpp"
+#include "synovia/fem/stress_recovery.hpp"
 #include "support/boxes.hpp"
 #include "support/two_boxes.hpp"
+#include "synovia/materials/isotropic_elastic.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 // Points that look for a surface find it where geometry says, however the
 // elements behind it are split over the ranks.
 
-#include "contact/surface_search.hpp"
+#include "synovia/contact/surface_search.hpp"
 #include "support/boxes.hpp"
 
 #include <catch2/catch.hpp>

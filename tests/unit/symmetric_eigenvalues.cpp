@@ -2,7 +2,7 @@
 //
 // Eigenvalues without LAPACK.
 
-#include "general/symmetric_eigenvalues.hpp"
+#include "synovia/general/symmetric_eigenvalues.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -113,15 +113,15 @@ class PlotGlenohumeral(unittest.TestCase):
             plot_glenohumeral.principal_values(voigt[np.newaxis]),
             [[-3.0, 0.5, 2.0]], atol=1e-12)
 
-    def test_colours_are_not_those_of_a_singular_corner(self):
+    def test_colors_are_not_those_of_a_singular_corner(self):
         grid = layer(0, 1, 1, 1)
         parts = section.cut([grid], normal=1, at=0.0)
         values = [np.where(np.arange(parts[0].n_points) == 0, -1e3,
                            parts[0].points[:, 0])]
-        colours = section.colour_range(parts, values)
-        self.assertEqual(colours["vmin"], 0.0)
-        self.assertTrue(0.8 < colours["vmax"] <= 1.0, colours)
-        self.assertIn(section.extent(values, colours), ("min", "both"))
+        colors = section.color_range(parts, values)
+        self.assertEqual(colors["vmin"], 0.0)
+        self.assertTrue(0.8 < colors["vmax"] <= 1.0, colors)
+        self.assertIn(section.extent(values, colors), ("min", "both"))
 
     def test_what_is_missing_is_named(self):
         write_output(self.out, saved=20.0)

@@ -240,13 +240,13 @@ class PlotKnee(unittest.TestCase):
         # At the corners of elements there is a gradient.
         self.assertTrue(20 < x.min() < 32 and 30 < x.max() < 33, x)
 
-    def test_colours_go_from_nothing_to_the_load(self):
+    def test_colors_go_from_nothing_to_the_load(self):
         part = self.knee().slices["medial"].meniscus
         values = np.linspace(-0.1, 1.0, part.n_points)
-        pressure = knee_run.load_colours([part], [values], 1)
+        pressure = knee_run.load_colors([part], [values], 1)
         self.assertEqual((pressure["cmap"], pressure["vmin"]), ("viridis", 0))
         self.assertTrue(0.9 < pressure["vmax"] <= 1, pressure)
-        stress = knee_run.load_colours([part], [-values], -1)
+        stress = knee_run.load_colors([part], [-values], -1)
         self.assertEqual((stress["cmap"], stress["vmax"]), ("viridis_r", 0))
         self.assertAlmostEqual(stress["vmin"], -pressure["vmax"])
 

@@ -2,10 +2,10 @@
 //
 // The paper's meniscus, constant by constant, in frames of both kinds.
 
-#include "materials/stiffness_range.hpp"
 #include "support/boxes.hpp"
-#include "support/meniscus_fibres.hpp"
-#include "synovia.hpp"
+#include "support/meniscus_fibers.hpp"
+#include "synovia/materials/stiffness_range.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,7 +24,7 @@ DenseMatrix StiffnessAt(const MaterialFrame &frame, const Vector &x)
    ip.Set3(x[0], x[1], x[2]);
    trans.SetIntPoint(&ip);
    DenseMatrix stiffness;
-   TransverselyIsotropic(MeniscusFibres(), frame)
+   TransverselyIsotropic(MeniscusFibers(), frame)
       .GetStiffness(trans, ip, stiffness);
    return stiffness;
 }
@@ -56,7 +56,7 @@ DenseMatrix StressInAxes(const DenseMatrix &stiffness, const DenseMatrix &axes,
 
 void CheckConstants(const MaterialFrame &frame, const Vector &x)
 {
-   const FibreConstants c = MeniscusFibres();
+   const FiberConstants c = MeniscusFibers();
    const DenseMatrix stiffness = StiffnessAt(frame, x);
    DenseMatrix axes;
    frame.GetAxes(x, axes);
@@ -138,7 +138,7 @@ TEST_CASE("Every constant of a fibrous solid, in both frames")
 
 TEST_CASE("A fibrous solid that is isotropic")
 {
-   FibreConstants constants;
+   FiberConstants constants;
    constants.young_r = constants.young_theta = 0.7;
    constants.poisson_rtheta = constants.poisson_rz = 0.3;
    constants.shear_rtheta = 0.7 / 2.6;
@@ -161,16 +161,16 @@ TEST_CASE("A fibrous solid that is isotropic")
 TEST_CASE("Constants that make no sense are refused")
 {
    const CartesianFrame frame({0.0, 0.0, 1.0});
-   FibreConstants constants = MeniscusFibres();
+   FiberConstants constants = MeniscusFibers();
    constants.young_theta = 0.0;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      "E_theta is 0; it must be positive");
-   constants = MeniscusFibres();
+   constants = MeniscusFibers();
    constants.poisson_rz = 0.999;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      Catch::Contains("not positive definite") &&
                         Catch::Contains("nu_rz = 0.999"));
-   constants = MeniscusFibres();
+   constants = MeniscusFibers();
    constants.poisson_rtheta = 0.3;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
                      Catch::Contains("not positive definite"));
@@ -180,14 +180,14 @@ TEST_CASE("Constants that make no sense are refused")
                      Catch::Contains("is zero"));
 }
 
-TEST_CASE("A bar of fibres stretches as its constants say")
+TEST_CASE("A bar of fibers stretches as its constants say")
 {
-   // Rollers at three sides, pulled along its fibres.
+   // Rollers at three sides, pulled along its fibers.
    BoxOptions box;
    box.nx = box.ny = 2;
    NamedMesh mesh = MakeBox(box);
    const CartesianFrame frame({0.0, 0.0, 1.0});
-   const FibreConstants constants = MeniscusFibres();
+   const FiberConstants constants = MeniscusFibers();
    const TransverselyIsotropic solid(constants, frame);
    const ConstantPermeability permeability(1.0);
    BiphasicProblem problem(mesh, SpaceOptions());
@@ -230,14 +230,14 @@ TEST_CASE("The axis of a cylindrical frame must not run through its body")
    const CylindricalFrame on_an_edge({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
    for (const CylindricalFrame *frame : {&inside, &on_an_edge})
    {
-      const TransverselyIsotropic solid(MeniscusFibres(), *frame);
+      const TransverselyIsotropic solid(MeniscusFibers(), *frame);
       BiphasicProblem problem(mesh, SpaceOptions());
       problem.SetMaterial("body", solid, permeability);
       CHECK_THROWS_WITH(problem.Operator(),
                         Catch::Contains("axis of its cylindrical frame"));
    }
    const CylindricalFrame outside({-0.2, -0.2, 0.0}, {0.0, 0.0, 1.0});
-   const TransverselyIsotropic solid(MeniscusFibres(), outside);
+   const TransverselyIsotropic solid(MeniscusFibers(), outside);
    BiphasicProblem problem(mesh, SpaceOptions());
    problem.SetMaterial("body", solid, permeability);
    CHECK_NOTHROW(problem.VerifyMaterials());

@@ -6,7 +6,7 @@
 
 #include "support/boxes.hpp"
 #include "support/reference_table.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 //
 // Cryer's sphere (1963): a sphere with a drained surface is loaded all around
 // by a total pressure at once. The surface gives first and squeezes the inside,
-// so that the pressure at the centre goes on rising, by tens of percent, before
+// so that the pressure at the center goes on rising, by tens of percent, before
 // the fluid leaves (Mandel-Cryer effect): the volume strain is not a multiple
 // of the local pressure, and a decoupled (Terzaghi-Rendulic) theory misses it.
 // An eighth of the sphere is meshed, with rollers on the planes of symmetry;
@@ -12,9 +12,9 @@
 #include "support/march.hpp"
 #include "support/reference_table.hpp"
 #include "support/round_meshes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
-#include "general/reduce.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -29,14 +29,14 @@ constexpr real_t radius = 1.0;
 constexpr real_t load = 0.01;
 
 /// The largest error of the pressure at the vertices on an axis where the
-/// reference has a value, relative to the load; the centre's own in @a centre.
+/// reference has a value, relative to the load; the center's own in @a center.
 real_t PressureError(const ReferenceTable &reference, real_t t, March &march,
-                     ParMesh &mesh, real_t &centre)
+                     ParMesh &mesh, real_t &center)
 {
    // The first dofs are the values at the vertices.
    const ParGridFunction &p = march.Pressure();
    real_t error = 0.0;
-   centre = 0.0;
+   center = 0.0;
    int compared = 0;
    for (int i = 0; i < mesh.GetNV(); i++)
    {
@@ -56,14 +56,14 @@ real_t PressureError(const ReferenceTable &reference, real_t t, March &march,
             compared++;
             if (x[0] < 1e-12)
             {
-               centre = difference / reference.Get(row, "p");
+               center = difference / reference.Get(row, "p");
             }
          }
       }
    }
    MPI_Comm comm = mesh.GetComm();
    CHECK(SumOverRanks(compared, comm) >= 3);
-   centre = MaxOverRanks(centre, comm);
+   center = MaxOverRanks(center, comm);
    return MaxOverRanks(error, comm);
 }
 } // namespace
@@ -106,12 +106,12 @@ TEST_CASE("The pressure in Cryer's sphere is within 1 %")
       }
       if (end >= 20.0)
       {
-         real_t centre = 0.0;
+         real_t center = 0.0;
          const real_t error =
-            PressureError(reference, end, march, mesh.Get(), centre);
+            PressureError(reference, end, march, mesh.Get(), center);
          CAPTURE(end);
          CHECK(error < 0.01);
-         CHECK(centre < 0.01);
+         CHECK(center < 0.01);
       }
    }
 }

@@ -5,7 +5,7 @@
 // sides: were it tied to the other block's, fluid would leak out there.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

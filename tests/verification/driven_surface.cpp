@@ -7,9 +7,9 @@
 // F/A (h1/E1 + h2/E2), whatever its sections do. Anything else that a force
 // moves by q must need that force when it is moved by q.
 
-#include "general/reduce.hpp"
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

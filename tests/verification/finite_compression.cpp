@@ -11,14 +11,14 @@
 // sides are sealed and don't move along their normals. Unconfined: radius 1.5,
 // strain -0.2 within 500 s between frictionless sealed platens.
 
-#include "general/reduce.hpp"
-#include "materials/deforming_permeability.hpp"
-#include "materials/holmes_mow.hpp"
-#include "materials/neo_hookean.hpp"
 #include "support/boxes.hpp"
 #include "support/reference_table.hpp"
 #include "support/round_meshes.hpp"
-#include "synovia.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/materials/deforming_permeability.hpp"
+#include "synovia/materials/holmes_mow.hpp"
+#include "synovia/materials/neo_hookean.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,9 +4,9 @@
 // whatever the gap or the overlap as meshed: a rigid translation strains
 // nothing, so that all that follows is the same.
 
-#include "mesh/stack_bodies.hpp"
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/mesh/stack_bodies.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -24,7 +24,7 @@
 
 #include "support/boxes.hpp"
 #include "support/traction_moments.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

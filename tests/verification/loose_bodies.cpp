@@ -4,7 +4,7 @@
 // supports, nor springs, nor contact that bears a traction.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -21,9 +21,9 @@
 
 #include "support/march.hpp"
 #include "support/reference_table.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
-#include "general/reduce.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 

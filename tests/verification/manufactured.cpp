@@ -16,7 +16,7 @@
 //    order k >= 3            k + 1      k
 //    order 2, undrained        3        2    as for Stokes' equations
 //    order 2, drained          2        2
-//    order 1, stabilised       2     >= 1
+//    order 1, stabilized       2     >= 1
 //
 // Why: in the drained limit p is decoupled from u and obeys Poisson's equation.
 // Its error in the norm of H^-1, which drives the error of u in L2, gains
@@ -39,7 +39,7 @@
 // stages have order 1; those of the others are not.
 
 #include "support/march.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -423,7 +423,7 @@ TEST_CASE("Cubic displacement converges with orders 4 and 3")
    CHECK(rate.p > 3.0 - slack);
 }
 
-TEST_CASE("Stabilised linear displacement converges with orders 2 and 1")
+TEST_CASE("Stabilized linear displacement converges with orders 2 and 1")
 {
    const auto type =
       GENERATE(Element::TETRAHEDRON, Element::HEXAHEDRON, Element::WEDGE);

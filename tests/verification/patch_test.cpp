@@ -16,7 +16,7 @@
 // elements of order 2 have.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 // the mesh. A box indents a wider layer, off its symmetry axes.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,9 +4,9 @@
 // together changes no stress, whatever the contact does: the gap sees
 // n.(omega x (x_A - x_B)), and x_A - x_B is along n.
 
-#include "general/reduce.hpp"
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,9 +5,9 @@
 // and two blocks on one plate bear the same, although the plate's top is
 // destination to one of them and source to the other.
 
-#include "general/reduce.hpp"
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 // k altogether, moves by -q A/k, and its top by -q A/k - q h/E.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 

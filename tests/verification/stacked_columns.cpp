@@ -5,7 +5,7 @@
 // with two permeabilities is taken from one column that is meshed through.
 
 #include "support/boxes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -62,9 +62,9 @@ std::vector<real_t> OneColumn(const Materials &materials)
    Mesh serial = MakeBoxMesh(box);
    for (int i = 0; i < serial.GetNE(); i++)
    {
-      Vector centre(3);
-      serial.GetElementCenter(i, centre);
-      serial.SetAttribute(i, centre[2] < height ? 1 : 2);
+      Vector center(3);
+      serial.GetElementCenter(i, center);
+      serial.SetAttribute(i, center[2] < height ? 1 : 2);
    }
    serial.SetAttributes();
    NamedMesh mesh = DistributeMesh(serial, {{"lower", {1}}, {"upper", {2}}},
@@ -118,10 +118,10 @@ std::vector<real_t> TwoColumns(const Materials &materials, Element::Type type,
       Mesh serial = MakeStackMesh(lower, upper);
       for (int i = 0; i < serial.GetNE(); i++)
       {
-         Vector centre(3);
-         serial.GetElementCenter(i, centre);
+         Vector center(3);
+         serial.GetElementCenter(i, center);
          partitioning.push_back(std::min(
-            ranks - 1, static_cast<int>(ranks * centre[2] / (2 * height))));
+            ranks - 1, static_cast<int>(ranks * center[2] / (2 * height))));
       }
    }
    NamedMesh mesh =

@@ -17,7 +17,7 @@
 // Deviations are of the order of h/a.
 
 #include "support/traction_moments.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -46,7 +46,7 @@ struct Layer
    real_t Compliance() const { return std::pow(thickness, 3) / shear; }
 };
 
-/// Quarter of a disc with a fan of triangles at the centre and rings of
+/// Quarter of a disc with a fan of triangles at the center and rings of
 /// quadrilaterals around it, thickness 1.
 Mesh MakeDisc(const Layer &layer)
 {

@@ -9,9 +9,9 @@
 
 #include "support/reference_table.hpp"
 #include "support/round_meshes.hpp"
-#include "synovia.hpp"
+#include "synovia/synovia.hpp"
 
-#include "general/reduce.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <catch2/catch.hpp>
 

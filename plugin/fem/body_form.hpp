@@ -1,0 +1,91 @@
+#pragma once
+
+#include "synovia/fem/volume_matrices.hpp"
+
+#include <string>
+
+namespace synovia
+{
+
+/// One implicit stage of the bodies: where it begins, how long it is, and the
+/// state to be evaluated at its end. True dofs.
+struct BodyStage
+{
+   /// time
+   mfem::real_t dt = 0.0;
+   mfem::Vector u0;
+   mfem::Vector p0;
+   /// What BodyForm::GetConserved() is at the beginning, as the time scheme
+   /// combines it from earlier stages.
+   mfem::Vector conserved0;
+   mfem::Vector u;
+   mfem::Vector p;
+};
+
+/// The bodies' part of momentum and mass balance: stresses and springs, growth
+/// of volume and flow of fluid, and their derivatives. Loads, supports and
+/// contact are not its business.
+///
+/// All members are collective. Momentum is in force, mass in volume of fluid in
+/// the stage.
+class BodyForm
+{
+public:
+   virtual ~BodyForm() = default;
+
+   /// How many numbers this rank conserves beside u and p; time schemes treat
+   /// them as part of the state.
+   virtual int ConservedSize() const { return 0; }
+   /// Sets them for a displacement: none, if the growth of volume is linear in
+   /// it, else the volume ratio J at each quadrature point.
+   virtual void GetConserved(const mfem::Vector &,
+                             mfem::Vector &conserved) const
+   {
+      conserved.SetSize(0);
+   }
+
+   /// Called once before the iterations of a stage. @a pressure_rate is what
+   /// the pressure's rate is expected to be (stress / time), from a stage of
+   /// length @a rate_dt.
+   virtual void StartStage(const BodyStage &stage,
+                           const mfem::Vector &pressure_rate,
+                           mfem::real_t rate_dt) = 0;
+
+   /// Forces that the bodies exert on their nodes' supports, and the volume
+   /// that each node's surroundings gain and lose: zero in balance without
+   /// loads.
+   virtual void Mult(const BodyStage &stage, mfem::Vector &momentum,
+                     mfem::Vector &mass) const = 0;
+
+   /// What Mult() would be at the stage's end if it went on from the stage's
+   /// beginning as the Tangent() says, which must be that of the beginning:
+   /// large increments at supports alone may invert elements.
+   virtual void MultFromStart(const BodyStage &stage, mfem::Vector &momentum,
+                              mfem::Vector &mass) const = 0;
+
+   /// The part of the mass that is growth of the bodies' volume.
+   virtual void GetGrowth(const BodyStage &stage,
+                          mfem::Vector &growth) const = 0;
+
+   /// Adds the magnitudes of the terms that cancel in Mult(), for absolute
+   /// values of @a u and @a p: what round-off is relative to.
+   virtual void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
+                              const mfem::Vector &p, mfem::Vector &momentum,
+                              mfem::Vector &mass) const = 0;
+
+   /// Says on all ranks what makes the state at the end of @a stage impossible,
+   /// such as an inverted element, with region and place; empty if nothing
+   /// does.
+   virtual std::string Validate(const BodyStage &stage) const = 0;
+
+   /// Whether Tangent() is the same in all states.
+   virtual bool IsLinear() const = 0;
+
+   /// Brings Tangent() to the state of @a stage; says whether it changed.
+   virtual bool Linearize(const BodyStage &stage) = 0;
+
+   /// The matrices of the derivative, as BiphasicJacobian has them.
+   virtual const VolumeMatrices &Tangent() const = 0;
+};
+
+} // namespace synovia

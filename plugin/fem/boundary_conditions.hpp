@@ -1,0 +1,141 @@
+#pragma once
+
+#include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/fem/rigid_surfaces.hpp"
+#include "synovia/fem/spring_foundation.hpp"
+#include "synovia/general/load_curve.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// Prescribed values and loads of a biphasic problem, by attribute lists.
+///
+/// Coefficients are borrowed and evaluated at the time of the stage. Where two
+/// prescriptions meet on a dof, the later one holds. All members that add
+/// something are collective.
+class BoundaryConditions
+{
+public:
+   /// Borrows @a spaces.
+   explicit BoundaryConditions(BiphasicSpaces &spaces);
+
+   /// One component (0, 1, 2) of the displacement (length).
+   void PrescribeDisplacement(const mfem::Array<int> &boundary, int component,
+                              const LoadCurve &value);
+   /// All components, varying in space and time.
+   void PrescribeDisplacement(const mfem::Array<int> &boundary,
+                              mfem::VectorCoefficient &value);
+
+   /// Fluid pressure, positive in compression (stress).
+   void PrescribePressure(const mfem::Array<int> &boundary,
+                          const LoadCurve &value);
+   void PrescribePressure(const mfem::Array<int> &boundary,
+                          mfem::Coefficient &value);
+
+   /// Total traction sigma_T n = direction x value (stress).
+   void AddTraction(const mfem::Array<int> &boundary,
+                    const mfem::Vector &direction, const LoadCurve &value);
+   void AddTraction(const mfem::Array<int> &boundary,
+                    mfem::VectorCoefficient &value);
+   /// Total traction value x n, n outward: tension is positive (stress).
+   void AddNormalTraction(const mfem::Array<int> &boundary,
+                          const LoadCurve &value);
+
+   /// Springs on a fixed base, as SpringFoundation has them.
+   void AddSprings(const mfem::Array<int> &boundary, mfem::real_t stiffness,
+                   const mfem::Vector &direction = mfem::Vector());
+
+   /// Moves a boundary rigidly along @a direction, of any length but zero, by
+   /// the resultant @a force (force) in that direction, as RigidSurfaces has
+   /// it.
+   /// @a name is for messages.
+   void DriveByForce(const mfem::Array<int> &boundary,
+                     const mfem::Vector &direction, const LoadCurve &force,
+                     const std::string &name = "");
+
+   /// Outward relative flux -kappa grad p . n (length / time).
+   void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
+   void AddNormalFlux(const mfem::Array<int> &boundary,
+                      mfem::Coefficient &value);
+
+   /// Body force (force / volume) and fluid source (1 / time).
+   void AddBodyForce(mfem::VectorCoefficient &value);
+   void AddFluidSource(mfem::Coefficient &value);
+
+   /// Prescribed true dofs, ascending.
+   const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
+   const mfem::Array<int> &PressureDofs() const { return p_dofs; }
+
+   /// Writes the prescribed values at time @a t into true-dof vectors.
+   void SetDisplacement(mfem::real_t t, mfem::Vector &u);
+   void SetPressure(mfem::real_t t, mfem::Vector &p);
+
+   /// Sets the loads at time @a t, true-dof vectors: @a momentum in force,
+   /// @a mass in volume / time (sources less prescribed outflow).
+   void GetLoads(mfem::real_t t, mfem::Vector &momentum, mfem::Vector &mass);
+
+   const std::vector<SpringFoundation> &Springs() const { return springs; }
+
+   const std::vector<DrivenSurface> &DrivenSurfaces() const { return driven; }
+
+   /// Where load curves have corners, ascending, each once.
+   const std::vector<mfem::real_t> &Corners() const { return corners; }
+
+private:
+   struct CurveValue
+   {
+      mfem::Array<int> dofs;
+      LoadCurve curve;
+   };
+   struct CurveLoad
+   {
+      mfem::Vector load;
+      LoadCurve curve;
+   };
+   struct FieldValue
+   {
+      mfem::Array<int> dofs;
+      mfem::Array<int> marker;
+      mfem::VectorCoefficient *vector;
+      mfem::Coefficient *scalar;
+   };
+   /// A linear form whose coefficient depends on time, and its markers.
+   struct FieldLoad
+   {
+      std::vector<std::unique_ptr<mfem::Array<int>>> markers;
+      std::vector<std::unique_ptr<mfem::Coefficient>> own_scalars;
+      std::unique_ptr<mfem::ParLinearForm> form;
+      std::vector<mfem::VectorCoefficient *> vectors;
+      std::vector<mfem::Coefficient *> scalars;
+
+      void AddTo(mfem::real_t t, mfem::Vector &load);
+   };
+
+   mfem::Array<int> Marker(const mfem::Array<int> &boundary) const;
+   void AddCorners(const LoadCurve &curve);
+   mfem::Array<int> Dofs(mfem::ParFiniteElementSpace &space,
+                         const mfem::Array<int> &boundary, int component,
+                         mfem::Array<int> &all) const;
+   FieldLoad &MomentumForm();
+   FieldLoad &MassForm();
+
+   BiphasicSpaces &spaces;
+   mfem::Array<int> u_dofs;
+   mfem::Array<int> p_dofs;
+   std::vector<CurveValue> u_values;
+   std::vector<CurveValue> p_values;
+   std::vector<FieldValue> u_fields;
+   std::vector<FieldValue> p_fields;
+   std::vector<CurveLoad> momentum_loads;
+   std::vector<CurveLoad> mass_loads;
+   std::vector<SpringFoundation> springs;
+   std::vector<DrivenSurface> driven;
+   FieldLoad momentum_form;
+   FieldLoad mass_form;
+   std::vector<mfem::real_t> corners;
+};
+
+} // namespace synovia

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "synovia/materials/material_table.hpp"
+
+namespace synovia
+{
+
+/// What of the solids' moduli makes linear systems hard, the worst of all
+/// elements.
+struct ModuliRatios
+{
+   /// Aggregate modulus over shear modulus: how nearly incompressible the
+   /// drained solid is.
+   mfem::real_t incompressibility = 0.0;
+   /// The largest stiffness along an axis of space over the aggregate modulus,
+   /// which is that of the softest direction: 1 for isotropic solids, and at
+   /// least a quarter of fibers' stiffness over that of what is between them.
+   mfem::real_t anisotropy = 0.0;
+};
+
+/// Looks at the centers of the elements, each of whose attributes must have a
+/// material. Collective.
+ModuliRatios FindModuliRatios(mfem::ParMesh &mesh,
+                              const MaterialTable &materials);
+
+} // namespace synovia

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "synovia/fem/body.hpp"
+#include "synovia/general/point3.hpp"
+
+namespace synovia
+{
+
+/// The rigid motions of a problem's bodies as displacements.
+///
+/// A body has six: translations along x, y and z, and rotations about these
+/// axes through its center, by which its farthest node moves by 1 as well.
+class RigidMotions
+{
+public:
+   static constexpr int per_body = 6;
+
+   /// Borrows nothing. Collective.
+   RigidMotions(const std::vector<Body> &bodies, BiphasicSpaces &spaces);
+
+   int Bodies() const { return static_cast<int>(centers.size()); }
+   /// Number of the body that a true dof of the displacement belongs to.
+   int BodyOf(int dof) const { return body_of[dof]; }
+   /// What a motion of that body makes of the dof.
+   mfem::real_t At(int dof, int motion) const;
+   /// One of the six motions of all bodies at once.
+   mfem::Vector OfAll(int motion) const;
+   /// One motion of one body as true dofs, zero on all others.
+   mfem::Vector Displacement(int body, int motion) const;
+   /// A translation of some bodies as true dofs, zero on all others.
+   mfem::Vector Translation(const std::set<int> &bodies,
+                            const Point3 &along) const;
+
+   const Point3 &Center(int body) const { return centers[body]; }
+   /// Distance of the farthest node from the center (length).
+   mfem::real_t Radius(int body) const { return radii[body]; }
+
+private:
+   mfem::Vector positions;
+   mfem::Array<int> body_of;
+   std::vector<Point3> centers;
+   std::vector<mfem::real_t> radii;
+};
+
+} // namespace synovia

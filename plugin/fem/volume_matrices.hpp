@@ -1,0 +1,38 @@
+#pragma once
+
+#include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/fem/moduli_ratios.hpp"
+#include "synovia/materials/material_table.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// The matrices of the bodies, without boundary conditions, contact and time
+/// step. For infinitesimal linear bodies they are constant.
+struct VolumeMatrices
+{
+   /// Assembles all of them. Every element's attribute must have a material.
+   VolumeMatrices(BiphasicSpaces &spaces, const MaterialTable &materials);
+
+   /// (C eps(u), eps(w)), displacement x displacement.
+   std::shared_ptr<mfem::HypreParMatrix> stiffness;
+   /// (div u, q), pressure x displacement, and its transpose.
+   std::shared_ptr<mfem::HypreParMatrix> divergence;
+   std::shared_ptr<mfem::HypreParMatrix> divergence_transpose;
+   /// (kappa grad p, grad q), pressure x pressure.
+   std::shared_ptr<mfem::HypreParMatrix> darcy;
+   /// Pressure-projection stabilization for dp/dt; null where it isn't needed.
+   std::shared_ptr<mfem::HypreParMatrix> stabilization;
+   /// (p / H_A, q): what the solid adds to the Schur complement of the
+   /// pressure.
+   std::shared_ptr<mfem::HypreParMatrix> compliance;
+   ModuliRatios moduli;
+   /// Of the displacement.
+   int order = 1;
+   /// Whether any element of any rank is a tetrahedron.
+   bool tetrahedra = false;
+};
+
+} // namespace synovia

@@ -1,0 +1,197 @@
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/vector_entries.hpp"
+#include "synovia/linalg/block_amg_preconditioner.hpp"
+#include "synovia/linalg/direct_preconditioner.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// y = D A D x, D being 1 for displacements and a factor for pressures.
+class ScaledOperator2x2 : public Operator
+{
+public:
+   ScaledOperator2x2(const Operator &inner_, int pressure_begin_,
+                     real_t factor_)
+      : Operator(inner_.Height()), inner(inner_),
+        pressure_begin(pressure_begin_), factor(factor_)
+   {
+   }
+   void Mult(const Vector &x, Vector &y) const override
+   {
+      scaled = x;
+      ScaleFrom(pressure_begin, factor, scaled);
+      inner.Mult(scaled, y);
+      ScaleFrom(pressure_begin, factor, y);
+   }
+
+private:
+   const Operator &inner;
+   int pressure_begin;
+   real_t factor;
+   mutable Vector scaled;
+};
+
+/// A preconditioner in scaled unknowns.
+class ScaledSolver : public Solver
+{
+public:
+   ScaledSolver(const Operator &inner, int pressure_begin, real_t factor)
+      : Solver(inner.Height()), scaled(inner, pressure_begin, factor)
+   {
+   }
+   void SetOperator(const Operator &) override {}
+   void Mult(const Vector &x, Vector &y) const override { scaled.Mult(x, y); }
+
+private:
+   ScaledOperator2x2 scaled;
+};
+
+real_t MeanDiagonal(const HypreParMatrix &matrix)
+{
+   Vector diagonal(matrix.Height());
+   matrix.GetDiag(diagonal);
+   return SumOverRanks(diagonal.Sum(), matrix.GetComm()) /
+          matrix.GetGlobalNumRows();
+}
+} // namespace
+
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          const ModuliRatios &moduli)
+{
+   if (options.method != LinearMethod::automatic)
+   {
+      return options.method;
+   }
+   // Multigrid then takes two or three times as many iterations.
+   constexpr real_t stiff_fibers = 100.0;
+   const int more = moduli.anisotropy > stiff_fibers ? 2 : 1;
+   return dofs <= more * options.direct_below ? LinearMethod::direct
+                                              : LinearMethod::block_amg;
+}
+
+BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
+                                           BiphasicSpaces &spaces,
+                                           const LinearOptions &options_)
+   : jacobian(jacobian_), comm(spaces.GetComm()), options(options_),
+     force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
+                                MeanDiagonal(*jacobian.Volume().compliance)))
+{
+   const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
+                             spaces.Pressure().GlobalTrueVSize();
+   options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli);
+   if (options.method == LinearMethod::direct || !jacobian.Pairs().empty())
+   {
+      VerifyDirectLibrary(options.direct.library, comm);
+   }
+   preconditioner = MakePreconditioner();
+}
+
+BiphasicLinearSolver::~BiphasicLinearSolver() = default;
+
+std::unique_ptr<BiphasicPreconditioner>
+BiphasicLinearSolver::MakePreconditioner() const
+{
+   if (options.method == LinearMethod::direct)
+   {
+      return std::make_unique<DirectPreconditioner>(
+         jacobian, comm, options.renew_after, options.direct);
+   }
+   return std::make_unique<BlockAmgPreconditioner>(jacobian, comm,
+                                                   options.direct);
+}
+
+WorkCounts BiphasicLinearSolver::Work() const
+{
+   WorkCounts all(work_before);
+   all += preconditioner->Work();
+   return all;
+}
+
+real_t BiphasicLinearSolver::Norm(const Vector &residual,
+                                  const ResidualTolerance &tolerance) const
+{
+   residual.HostRead();
+   real_t sum = 0.0;
+   for (int i = 0; i < residual.Size(); i++)
+   {
+      const real_t part =
+         residual[i] /
+         (i < jacobian.Offsets()[1] ? tolerance.momentum : tolerance.mass);
+      sum += part * part;
+   }
+   return std::sqrt(SumOverRanks(sum, comm));
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
+                            const ResidualTolerance &tolerance, real_t target)
+{
+   try
+   {
+      return Iterate(b, x, tolerance, target);
+   }
+   catch (const FactorizationError &error) // on all ranks alike
+   {
+      work_before += preconditioner->Work();
+      preconditioner.reset();
+      preconditioner = MakePreconditioner();
+      Result result;
+      result.failure = error.what();
+      return result;
+   }
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
+                              const ResidualTolerance &tolerance, real_t target)
+{
+   // In the scaled unknowns both equations have the tolerance of the momentum.
+   const real_t pressure_scale = tolerance.momentum / tolerance.mass;
+   const int pressure_begin = jacobian.Offsets()[1];
+   const ScaledOperator2x2 scaled(jacobian, pressure_begin, pressure_scale);
+   ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
+                                      1.0 / pressure_scale);
+   FGMRESSolver solver(comm);
+   solver.SetKDim(100);
+   solver.SetRelTol(0.0);
+   solver.SetAbsTol(target * tolerance.momentum);
+   solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
+   solver.SetOperator(scaled);
+   solver.SetPreconditioner(scaled_preconditioner);
+
+   Vector right_side(b);
+   ScaleFrom(pressure_begin, pressure_scale, right_side);
+   x = 0.0;
+   Result result;
+   bool again = true;
+   while (again && !result.converged &&
+          result.iterations < options.max_iterations)
+   {
+      StopWatch watch;
+      watch.Start();
+      preconditioner->Update();
+      result.setup_seconds += watch.RealTime();
+      solver.SetMaxIter(std::min(preconditioner->Patience(),
+                                 options.max_iterations - result.iterations));
+      // A guess of zero need not be multiplied.
+      solver.iterative_mode = result.iterations > 0;
+      solver.Mult(right_side, x);
+      result.converged = solver.GetConverged();
+      result.iterations += solver.GetNumIterations();
+      again =
+         preconditioner->Report(solver.GetNumIterations(), result.converged);
+   }
+   ScaleFrom(pressure_begin, pressure_scale, x);
+   // Contact and loads are evaluated on the host.
+   x.HostReadWrite();
+   return result;
+}
+
+} // namespace synovia

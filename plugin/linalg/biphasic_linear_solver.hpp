@@ -1,0 +1,142 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/linalg/direct_solver.hpp"
+#include "synovia/linalg/work_counts.hpp"
+
+namespace synovia
+{
+
+/// How the linear systems are preconditioned.
+enum class LinearMethod
+{
+   /// Direct for small problems, multigrid for large ones.
+   automatic,
+   /// Block-triangular: filtered BoomerAMG on the displacement, BoomerAMG on
+   /// the pressure's Schur complement.
+   block_amg,
+   /// A factorization of the whole matrix, kept while it serves.
+   direct
+};
+
+struct LinearOptions
+{
+   LinearMethod method = LinearMethod::automatic;
+   mfem::real_t relative_tolerance = 1e-8;
+   int max_iterations = 300;
+   /// Automatic: up to this many dofs, direct; up to twice as many where fibers
+   /// are much stiffer than what is between them.
+   HYPRE_BigInt direct_below = 250000;
+   /// A kept factorization is renewed once the solves since took this many
+   /// iterations more than they would have taken with a new one: about what a
+   /// factorization costs.
+   int renew_after = 40;
+   /// How matrices are factorized: the whole one, or, with multigrid, the part
+   /// that contact touches.
+   DirectOptions direct;
+};
+
+/// The method that automatic stands for with so many dofs of all ranks; others
+/// stand for themselves.
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          const ModuliRatios &moduli);
+
+/// An approximate inverse of the Jacobian that follows its changes.
+class BiphasicPreconditioner : public mfem::Solver
+{
+public:
+   using mfem::Solver::Solver;
+   /// Surfaces were searched anew: gap and jump have other entries. Collective.
+   virtual void ContactMoved() = 0;
+   /// The bodies' matrices are others; what was made of them may go on serving.
+   /// Collective.
+   virtual void BodiesChanged() = 0;
+   /// Called before each solve, when step, active set or drained dofs may have
+   /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
+   /// of no use then. Collective.
+   virtual void Update() = 0;
+   /// Called after each try to solve; says whether another try, from where the
+   /// last one got to, is worth it if that one did not converge. Collective.
+   virtual bool Report(int iterations, bool converged) = 0;
+   /// Iterations after which a solve had better Report().
+   virtual int Patience() const = 0;
+   /// What it did since the start: set-ups, factorizations, columns.
+   const WorkCounts &Work() const { return work; }
+   void SetOperator(const mfem::Operator &) override
+   {
+      MFEM_ABORT("the preconditioner keeps its operator");
+   }
+
+protected:
+   WorkCounts work;
+};
+
+/// What may be left of the residual of each equation, as norms of true-dof
+/// vectors: force, and volume of fluid in a step.
+struct ResidualTolerance
+{
+   mfem::real_t momentum = 0.0;
+   mfem::real_t mass = 0.0;
+   /// As far as the one of the mass may be lowered.
+   mfem::real_t least_mass = 0.0;
+};
+
+/// FGMRES with one of the preconditioners. Each equation is measured by its own
+/// tolerance, so that the stopping test is the same in every system of units
+/// and a stiff body's round-off doesn't hide the fluid.
+class BiphasicLinearSolver
+{
+public:
+   /// Borrows @a jacobian and @a spaces. Throws Error if the library that shall
+   /// factorize can't. Collective.
+   BiphasicLinearSolver(const BiphasicJacobian &jacobian,
+                        BiphasicSpaces &spaces, const LinearOptions &options);
+   ~BiphasicLinearSolver();
+
+   void ContactMoved() { preconditioner->ContactMoved(); }
+   void BodiesChanged() { preconditioner->BodiesChanged(); }
+
+   /// Norm of a residual in units of the tolerance: at most 1 is good enough.
+   /// Collective.
+   mfem::real_t Norm(const mfem::Vector &residual,
+                     const ResidualTolerance &tolerance) const;
+
+   /// Force / volume: what makes residuals of the two equations comparable
+   /// where nothing else is known of one of them.
+   mfem::real_t ForcePerVolume() const { return force_per_volume; }
+
+   struct Result
+   {
+      bool converged = false;
+      int iterations = 0;
+      /// Wall time to bring the preconditioner up to date (s).
+      mfem::real_t setup_seconds = 0.0;
+      /// Why the system could not be solved at all; empty if it could. The next
+      /// one starts with a new preconditioner.
+      std::string failure;
+   };
+   /// Solves J x = b, from zero, until the Norm() of what is left is at most
+   /// @a target. Collective.
+   Result Solve(const mfem::Vector &b, mfem::Vector &x,
+                const ResidualTolerance &tolerance, mfem::real_t target);
+
+   /// As given, but with the method that was chosen.
+   const LinearOptions &Options() const { return options; }
+   /// What the preconditioners did since the start.
+   WorkCounts Work() const;
+
+private:
+   std::unique_ptr<BiphasicPreconditioner> MakePreconditioner() const;
+   Result Iterate(const mfem::Vector &b, mfem::Vector &x,
+                  const ResidualTolerance &tolerance, mfem::real_t target);
+
+   const BiphasicJacobian &jacobian;
+   MPI_Comm comm;
+   LinearOptions options;
+   mfem::real_t force_per_volume;
+   std::unique_ptr<BiphasicPreconditioner> preconditioner;
+   /// Of preconditioners that failed.
+   WorkCounts work_before;
+};
+
+} // namespace synovia

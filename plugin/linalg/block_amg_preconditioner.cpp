@@ -1,0 +1,347 @@
+#include "synovia/linalg/block_amg_preconditioner.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/vector_entries.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+bool Same(const Vector &a, const Vector &b)
+{
+   if (a.Size() != b.Size())
+   {
+      return false;
+   }
+   for (int i = 0; i < a.Size(); i++)
+   {
+      if (a[i] != b[i])
+      {
+         return false;
+      }
+   }
+   return true;
+}
+
+// Takes the pairs' weights into @a kept and says whether any rank's changed.
+template <typename GetWeights>
+bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
+                 std::vector<Vector> &kept, GetWeights weights)
+{
+   kept.resize(pairs.size());
+   bool changed = false;
+   for (size_t i = 0; i < pairs.size(); i++)
+   {
+      const Vector &now = weights(*pairs[i]);
+      if (!Same(kept[i], now))
+      {
+         kept[i] = now;
+         changed = true;
+      }
+   }
+   return AnyRank(changed, comm);
+}
+
+std::vector<const HypreParMatrix *> Gaps(const BiphasicJacobian &jacobian)
+{
+   std::vector<const HypreParMatrix *> gaps;
+   for (size_t i = 0; i < jacobian.Pairs().size(); i++)
+   {
+      gaps.push_back(&jacobian.Gap(i));
+   }
+   return gaps;
+}
+
+std::vector<const HypreParMatrix *> Jumps(const BiphasicJacobian &jacobian)
+{
+   std::vector<const HypreParMatrix *> jumps;
+   for (const ContactPair *pair : jacobian.Pairs())
+   {
+      jumps.push_back(pair->Operators().jump.get());
+   }
+   return jumps;
+}
+
+// Aggressive coarsening, MFEM's default, costs more iterations than it saves
+// time on each.
+std::unique_ptr<HypreBoomerAMG> FlowAmg()
+{
+   auto amg = std::make_unique<HypreBoomerAMG>();
+   amg->SetAggressiveCoarsening(0);
+   return amg;
+}
+
+// Measured with miniapps/scaling: half the time of an iteration of MFEM's
+// options for systems, for a tenth more iterations.
+void SmoothOnceEachWay(HypreBoomerAMG &amg, bool tetrahedra)
+{
+   constexpr int gauss_seidel_forward = 13;
+   constexpr int gauss_seidel_backward = 14;
+   constexpr int down = 1;
+   constexpr int up = 2;
+   constexpr int by_row_sum_norm = 4;
+   HYPRE_Solver hypre = amg;
+   HYPRE_BoomerAMGSetCycleRelaxType(hypre, gauss_seidel_forward, down);
+   HYPRE_BoomerAMGSetCycleRelaxType(hypre, gauss_seidel_backward, up);
+   if (!tetrahedra)
+   {
+      // A sixth less time on hexahedra; on tetrahedra of order 3 nearly twice
+      // the iterations.
+      HYPRE_BoomerAMGSetNodal(hypre, by_row_sum_norm);
+      HYPRE_BoomerAMGSetNodalDiag(hypre, 1);
+   }
+   HYPRE_BoomerAMGSetStrongThreshold(hypre, 0.25);
+}
+
+bool SmoothsWell(const ModuliRatios &moduli)
+{
+   // That of a Poisson's ratio of 0.37.
+   constexpr real_t compressible = 5.0;
+   constexpr real_t hardly_anisotropic = 3.0;
+   return moduli.incompressibility < compressible &&
+          moduli.anisotropy < hardly_anisotropic;
+}
+
+// Without overlap the filter has half the dofs to solve for, which saves a
+// sixth of the time; but the smoother must be good near the contact, or there
+// are half as many iterations more.
+int Overlap(const VolumeMatrices &matrices)
+{
+   return SmoothsWell(matrices.moduli) && matrices.order <= 2 ? 0 : 1;
+}
+
+std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
+{
+   // That of a Poisson's ratio of 0.47.
+   constexpr real_t nearly_incompressible = 20.0;
+   std::unique_ptr<HypreBoomerAMG> amg = FlowAmg();
+   amg->SetSystemsOptions(3, false);
+   // The smoother works slowly on what keeps the volume, and across fibers:
+   // more of it is less work in all then, and two V-cycles where the solid
+   // hardly gives way (30 iterations instead of 45).
+   if (SmoothsWell(matrices.moduli))
+   {
+      SmoothOnceEachWay(*amg, matrices.tetrahedra);
+   }
+   else if (matrices.moduli.incompressibility > nearly_incompressible)
+   {
+      amg->SetMaxIter(2);
+   }
+   return amg;
+}
+} // namespace
+
+BlockAmgPreconditioner::BlockAmgPreconditioner(
+   const BiphasicJacobian &jacobian_, MPI_Comm comm_,
+   const DirectOptions &options_)
+   : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
+     comm(comm_), options(options_), bodies(jacobian.Volume())
+{
+   TakeBodies();
+}
+
+void BlockAmgPreconditioner::BodiesChanged()
+{
+   bodies_changed = true;
+}
+
+bool BlockAmgPreconditioner::AreBodiesOutdated() const
+{
+   constexpr real_t slower = 1.5;
+   // Of which nothing can be said.
+   constexpr int few = 5;
+   return bodies_changed && last_iterations > few + slower * first_iterations;
+}
+
+void BlockAmgPreconditioner::TakeBodies()
+{
+   bodies = jacobian.Volume();
+   displacement = std::make_unique<FilteredAmg>(
+      *bodies.stiffness, jacobian.DisplacementDofs(), Overlap(bodies), options);
+   pressure.reset();
+   built = false;
+   moved = true;
+   bodies_changed = false;
+   first_iterations = 0;
+   last_iterations = 0;
+}
+
+void BlockAmgPreconditioner::ContactMoved()
+{
+   moved = true;
+}
+
+void BlockAmgPreconditioner::Update()
+{
+   if (AreBodiesOutdated())
+   {
+      TakeBodies();
+   }
+   const bool gaps_changed =
+      TakeWeights(jacobian.Pairs(), comm, gap_weights,
+                  [](const ContactPair &pair) -> const Vector &
+                  { return pair.GapWeights(); });
+   const bool jumps_changed =
+      TakeWeights(jacobian.Pairs(), comm, jump_weights,
+                  [](const ContactPair &pair) -> const Vector &
+                  { return pair.JumpWeights(); });
+   UpdateDisplacement(gaps_changed);
+   UpdatePressure(jumps_changed);
+   moved = false;
+}
+
+std::vector<Vector> BlockAmgPreconditioner::SoftWeights() const
+{
+   std::vector<Vector> weights;
+   for (const ContactPair *pair : jacobian.Pairs())
+   {
+      weights.push_back(pair->SoftGapWeights());
+   }
+   return weights;
+}
+
+bool BlockAmgPreconditioner::IsOutdated() const
+{
+   // Building takes as long as 4 to 10 iterations.
+   constexpr int long_enough = 25;
+   constexpr real_t much = 0.2;
+   // Surfaces that slide meet other partners without other weights.
+   constexpr int long_enough_sliding = 120;
+   if (served < long_enough)
+   {
+      return false;
+   }
+   if (moved && served >= long_enough_sliding)
+   {
+      return true;
+   }
+   const std::vector<Vector> now = SoftWeights();
+   real_t difference = 0.0;
+   real_t sum = 0.0;
+   for (size_t i = 0; i < now.size(); i++)
+   {
+      Vector change(now[i]);
+      change -= soft_weights[i];
+      difference += change.Norml1();
+      sum += now[i].Norml1();
+   }
+   return SumOverRanks(difference, comm) > much * SumOverRanks(sum, comm);
+}
+
+void BlockAmgPreconditioner::BuildHierarchy()
+{
+   soft_weights = SoftWeights();
+   displacement->ClearHierarchy();
+   displacement->SetHierarchy(jacobian.DisplacementBlock(soft_weights),
+                              ElasticityAmg(jacobian.Volume()));
+   built = true;
+   served = 0;
+   work.setups++;
+}
+
+bool BlockAmgPreconditioner::Report(int iterations, bool)
+{
+   served += iterations;
+   last_iterations = iterations;
+   if (first_iterations == 0)
+   {
+      first_iterations = iterations;
+   }
+   return false;
+}
+
+void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
+{
+   if (!built || ((moved || gaps_changed) && IsOutdated()))
+   {
+      BuildHierarchy();
+   }
+   if (moved)
+   {
+      displacement->SetFactors(Gaps(jacobian));
+   }
+   if (moved || gaps_changed)
+   {
+      work.factorizations +=
+         displacement->SetWeights(gap_weights, soft_weights);
+   }
+}
+
+void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
+{
+   // Where surfaces can touch, what drains changes with the contact, and the
+   // filter takes care of it.
+   if (moved)
+   {
+      touched = FilteredAmg::Touched(
+         jacobian.Offsets()[2] - jacobian.Offsets()[1], Jumps(jacobian));
+   }
+   Array<int> always_drained;
+   Array<int> drained;
+   for (const int dof : jacobian.PressureDofs())
+   {
+      (touched[dof] ? drained : always_drained).Append(dof);
+   }
+   const bool drains_elsewhere = AnyRank(!(p_dofs == always_drained), comm);
+   // Steps that end on a corner differ by round-off.
+   const bool other_step =
+      std::abs(dt - jacobian.TimeStep()) > 1e-6 * jacobian.TimeStep();
+   const bool other_matrix = !pressure || drains_elsewhere || other_step;
+   const bool other_drained = AnyRank(!(held == drained), comm);
+   if (other_matrix)
+   {
+      dt = jacobian.TimeStep();
+      p_dofs = always_drained;
+      pressure.reset();
+      schur = jacobian.SchurComplement(p_dofs);
+      pressure = std::make_unique<FilteredAmg>(*schur, p_dofs, 1, options);
+      pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
+                             FlowAmg());
+      work.setups++;
+   }
+   if (moved || other_matrix)
+   {
+      pressure->SetFactors(Jumps(jacobian));
+   }
+   if (moved || other_matrix || other_drained || jumps_changed)
+   {
+      held = drained;
+      pressure->SetHeld(held);
+      std::vector<Vector> weights(jump_weights);
+      for (Vector &w : weights)
+      {
+         w *= dt;
+      }
+      work.factorizations += pressure->SetWeights(weights, {});
+   }
+}
+
+void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
+{
+   const Array<int> &offsets = jacobian.Offsets();
+   const int nu = offsets[1];
+   const int np = offsets[2] - nu;
+   x.Read();
+   y.Write();
+   const Vector x_u(const_cast<Vector &>(x), 0, nu);
+   const Vector x_p(const_cast<Vector &>(x), nu, np);
+   Vector y_u(y, 0, nu);
+   Vector y_p(y, nu, np);
+
+   displacement->Mult(x_u, y_u);
+   u_free = y_u;
+   u_free.SetSubVector(jacobian.DisplacementDofs(), 0.0);
+   residual = x_p;
+   jacobian.AddDivergence(u_free, residual);
+   residual.Neg();
+   CopyEntries(jacobian.PressureDofs(), x_p, residual);
+   pressure->Mult(residual, y_p);
+   y_u.SyncAliasMemory(y);
+   y_p.SyncAliasMemory(y);
+}
+
+} // namespace synovia

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/linalg/filtered_amg.hpp"
+
+#include <limits>
+
+namespace synovia
+{
+
+/// Block lower triangular: u = A^-1 r_u, p = -S^-1 (r_p + B u), with filtered
+/// multigrid for A and for the Schur complement S (fixed stress).
+///
+/// The hierarchy for A knows the contact, but with penalties as soft as the
+/// bodies: multigrid likes these, and for what is longer than an element they
+/// are as good as the real ones, so that iterations don't grow with the mesh.
+/// It is built anew when much of the active set has changed since and it has
+/// served a few times as long as building it takes.
+class BlockAmgPreconditioner : public BiphasicPreconditioner
+{
+public:
+   /// Borrows @a jacobian. @a options are those of the filters' exact solves.
+   /// Collective.
+   BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
+                          const DirectOptions &options);
+
+   void ContactMoved() override;
+   void BodiesChanged() override;
+   void Update() override;
+   bool Report(int iterations, bool converged) override;
+   int Patience() const override { return std::numeric_limits<int>::max(); }
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+private:
+   std::vector<mfem::Vector> SoftWeights() const;
+   bool IsOutdated() const;
+   void BuildHierarchy();
+   bool AreBodiesOutdated() const;
+   /// Starts over with the bodies as they are.
+   void TakeBodies();
+   void UpdateDisplacement(bool gaps_changed);
+   void UpdatePressure(bool jumps_changed);
+
+   const BiphasicJacobian &jacobian;
+   MPI_Comm comm;
+   DirectOptions options;
+   /// The matrices that all was made of; shares them.
+   VolumeMatrices bodies;
+   bool bodies_changed = false;
+   /// Iterations of the first and the last solve with them.
+   int first_iterations = 0;
+   int last_iterations = 0;
+   std::unique_ptr<FilteredAmg> displacement;
+   std::unique_ptr<mfem::HypreParMatrix> schur;
+   std::unique_ptr<FilteredAmg> pressure;
+   /// What the displacement's hierarchy was built with, and the iterations
+   /// that it served.
+   std::vector<mfem::Vector> soft_weights;
+   int served = 0;
+   bool built = false;
+   bool moved = true;
+   mfem::real_t dt = -1.0;
+   /// 1 for the pressures that a pair's jump has to do with, 0 for others.
+   mfem::Array<int> touched;
+   /// Pressures that the hierarchy takes for prescribed, and those that only
+   /// the filter does.
+   mfem::Array<int> p_dofs;
+   mfem::Array<int> held;
+   std::vector<mfem::Vector> gap_weights;
+   std::vector<mfem::Vector> jump_weights;
+   mutable mfem::Vector u_free;
+   mutable mfem::Vector residual;
+};
+
+} // namespace synovia

@@ -1,0 +1,342 @@
+#include "synovia/linalg/direct_preconditioner.hpp"
+#include "synovia/general/exchange.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/linalg/direct_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Steps within this factor of the one factorized for still share its factors.
+constexpr real_t like_step = 1.2;
+// A weight that differs by more than this part is another one.
+constexpr real_t other_weight = 0.5;
+// A column that differs by less than this part is taken for the one solved for.
+constexpr real_t like_column = 1e-2;
+// Cost of a column among many over that of a solve of its own, as measured for
+// 30,000 to 200,000 unknowns; and how many are solved for at once: their right
+// sides are gathered on one rank.
+constexpr real_t column_cost = 0.1;
+constexpr int batch = 64;
+// Old factors that need more iterations than this will soon be renewed anyway;
+// sooner if partners changed, which each vertex in contact feels.
+constexpr int stale_patience = 12;
+constexpr int moved_patience = 8;
+// More make the dense part of the update slower than a solve.
+constexpr int most_columns = 1000;
+
+bool Differs(real_t a, real_t b)
+{
+   return std::abs(a - b) > other_weight * std::max(a, b);
+}
+
+// |a - b|^2 and |b|^2 on this rank.
+std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
+                               const LowRankUpdate::Column &b)
+{
+   std::map<int, real_t> difference;
+   std::array<real_t, 2> squares{{0.0, 0.0}};
+   for (std::size_t i = 0; i < a.dofs.size(); i++)
+   {
+      difference[a.dofs[i]] += a.entries[i];
+   }
+   for (std::size_t i = 0; i < b.dofs.size(); i++)
+   {
+      difference[b.dofs[i]] -= b.entries[i];
+      squares[1] += b.entries[i] * b.entries[i];
+   }
+   for (const auto &entry : difference)
+   {
+      squares[0] += entry.second * entry.second;
+   }
+   return squares;
+}
+} // namespace
+
+DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
+                                           MPI_Comm comm_, int renew_after_,
+                                           const DirectOptions &options_)
+   : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
+     comm(comm_), renew_after(renew_after_), options(options_), update(comm)
+{
+}
+
+real_t DirectPreconditioner::MostColumns(int renew_after)
+{
+   return renew_after / column_cost;
+}
+
+void DirectPreconditioner::ContactMoved()
+{
+   rows.clear();
+   moved = true;
+}
+
+bool DirectPreconditioner::IsLikeFactorized() const
+{
+   const real_t now = jacobian.TimeStep();
+   return now <= like_step * dt && dt <= like_step * now;
+}
+
+std::vector<DirectPreconditioner::Change>
+DirectPreconditioner::FindChanges() const
+{
+   std::vector<Change> mine;
+   const auto compare = [&](const Vector &now, const Vector &then, real_t scale,
+                            const HypreParMatrix &operator_, Kind kind,
+                            size_t pair)
+   {
+      for (int j = 0; j < now.Size(); j++)
+      {
+         if (Differs(now[j], then[j]))
+         {
+            mine.push_back({{{kind, static_cast<HYPRE_BigInt>(pair),
+                              operator_.RowPart()[0] + j}},
+                            scale * (now[j] - then[j])});
+         }
+      }
+   };
+   for (size_t i = 0; i < jacobian.Pairs().size(); i++)
+   {
+      const ContactPair &pair = *jacobian.Pairs()[i];
+      compare(pair.GapWeights(), gap_weights[i], 1.0, jacobian.Gap(i), gap_row,
+              i);
+      compare(pair.JumpWeights(), jump_weights[i], -jacobian.TimeStep(),
+              *pair.Operators().jump, jump_row, i);
+   }
+   const HYPRE_BigInt first = jacobian.Volume().darcy->RowPart()[0];
+   const auto add_missing =
+      [&](const Array<int> &from, const Array<int> &in, real_t sign)
+   {
+      for (const int dof : from)
+      {
+         if (in.FindSorted(dof) < 0)
+         {
+            mine.push_back(
+               {{{held_pressure, 0, first + dof}}, sign * holding[dof]});
+         }
+      }
+   };
+   add_missing(jacobian.PressureDofs(), OnHost(p_dofs), -1.0);
+   add_missing(p_dofs, jacobian.PressureDofs(), 1.0);
+
+   int ranks = 1;
+   MPI_Comm_size(comm, &ranks);
+   std::vector<Change> all;
+   for (const auto &part :
+        Exchange(std::vector<std::vector<Change>>(ranks, mine), comm))
+   {
+      all.insert(all.end(), part.begin(), part.end());
+   }
+   std::sort(all.begin(), all.end(),
+             [](const Change &a, const Change &b) { return a.key < b.key; });
+   return all;
+}
+
+void DirectPreconditioner::Update()
+{
+   fresh = outdated || !IsLikeFactorized() || !Follow(FindChanges());
+   if (fresh)
+   {
+      Factorize();
+   }
+}
+
+void DirectPreconditioner::Factorize()
+{
+   dt = jacobian.TimeStep();
+   p_dofs = jacobian.PressureDofs();
+   gap_weights.clear();
+   jump_weights.clear();
+   for (const ContactPair *pair : jacobian.Pairs())
+   {
+      gap_weights.push_back(pair->GapWeights());
+      jump_weights.push_back(pair->JumpWeights());
+   }
+   outdated = false;
+   moved = false;
+   extra_solves = 0.0;
+   update.Set({}, Vector());
+   columns.clear();
+   holding = jacobian.Holding();
+   const std::unique_ptr<HypreParMatrix> matrix =
+      jacobian.AssembleHeld(holding);
+   if (factors)
+   {
+      factors->SetOperator(*matrix);
+   }
+   else
+   {
+      factors = MakeDirectSolver(*matrix, MatrixKind::symmetric, options);
+   }
+   work.factorizations++;
+}
+
+const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
+{
+   std::unique_ptr<SparseMatrix> &table = rows[{kind, pair}];
+   if (!table)
+   {
+      const HypreParMatrix &whole =
+         kind == gap_row ? jacobian.Gap(pair)
+                         : *jacobian.Pairs()[pair]->Operators().jump;
+      const std::unique_ptr<HypreParMatrix> transpose(whole.Transpose());
+      SparseMatrix mine;
+      transpose->MergeDiagAndOffd(mine);
+      table.reset(Transpose(mine));
+   }
+   return *table;
+}
+
+DirectPreconditioner::Column DirectPreconditioner::ColumnOf(const Key &key)
+{
+   Column column;
+   const Kind kind = static_cast<Kind>(key[0]);
+   if (kind == held_pressure)
+   {
+      const HYPRE_BigInt *part = jacobian.Volume().darcy->RowPart();
+      if (key[2] >= part[0] && key[2] < part[1])
+      {
+         column.dofs.push_back(jacobian.Offsets()[1] +
+                               static_cast<int>(key[2] - part[0]));
+         column.entries.push_back(1.0);
+      }
+      return column;
+   }
+   const SparseMatrix &table = Rows(kind, static_cast<int>(key[1]));
+   const int row = static_cast<int>(key[2]);
+   const int begin = jacobian.Offsets()[kind == gap_row ? 0 : 1];
+   for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
+   {
+      const int dof = table.GetJ()[i];
+      if (kind == jump_row || jacobian.DisplacementDofs().FindSorted(dof) < 0)
+      {
+         column.dofs.push_back(begin + dof);
+         column.entries.push_back(table.GetData()[i]);
+      }
+   }
+   return column;
+}
+
+std::vector<DirectPreconditioner::Key>
+DirectPreconditioner::FindMissing(const std::vector<Change> &changes)
+{
+   std::vector<std::array<real_t, 2>> distances;
+   for (const Change &change : changes)
+   {
+      const auto found = columns.find(change.key);
+      // A unit column has nothing that could differ.
+      const bool checked =
+         found != columns.end() && change.key[0] != held_pressure;
+      distances.push_back(checked
+                             ? Distance(found->second, ColumnOf(change.key))
+                             : std::array<real_t, 2>{{0.0, 0.0}});
+   }
+   MPI_Allreduce(MPI_IN_PLACE, distances.data(),
+                 2 * static_cast<int>(distances.size()),
+                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+   std::vector<Key> missing;
+   for (size_t i = 0; i < changes.size(); i++)
+   {
+      if (columns.count(changes[i].key) == 0 ||
+          distances[i][0] > like_column * like_column * distances[i][1])
+      {
+         missing.push_back(changes[i].key);
+      }
+   }
+   return missing;
+}
+
+void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
+{
+   for (size_t begin = 0; begin < keys.size(); begin += batch)
+   {
+      const size_t end = std::min(begin + batch, keys.size());
+      std::vector<Vector> wanted;
+      Array<const Vector *> right_sides;
+      Array<Vector *> solutions;
+      wanted.reserve(end - begin);
+      for (size_t i = begin; i < end; i++)
+      {
+         Column &column = columns[keys[i]];
+         column = ColumnOf(keys[i]);
+         column.z.SetSize(height);
+         wanted.emplace_back(height);
+         wanted.back() = 0.0;
+         for (size_t k = 0; k < column.dofs.size(); k++)
+         {
+            wanted.back()[column.dofs[k]] = column.entries[k];
+         }
+         right_sides.Append(&wanted.back());
+         solutions.Append(&column.z);
+      }
+      factors->ArrayMult(right_sides, solutions);
+   }
+   extra_solves += column_cost * keys.size();
+   work.columns += static_cast<int>(keys.size());
+}
+
+bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
+{
+   if (changes.size() > most_columns)
+   {
+      return false;
+   }
+   const std::vector<Key> missing = FindMissing(changes);
+   if (extra_solves + column_cost * missing.size() > renew_after)
+   {
+      return false;
+   }
+   AddColumns(missing);
+   std::vector<const Column *> used;
+   Vector weights(static_cast<int>(changes.size()));
+   for (size_t i = 0; i < changes.size(); i++)
+   {
+      used.push_back(&columns[changes[i].key]);
+      weights[static_cast<int>(i)] = changes[i].weight;
+   }
+   update.Set(used, weights);
+   return true;
+}
+
+int DirectPreconditioner::Patience() const
+{
+   const int stale = moved ? moved_patience : stale_patience;
+   return fresh ? renew_after : std::min(renew_after, stale);
+}
+
+bool DirectPreconditioner::Report(int iterations, bool converged)
+{
+   extra_solves += std::max(0, iterations - 1);
+   const bool again = !converged && !fresh;
+   outdated = again || extra_solves >= renew_after;
+   return again;
+}
+
+void DirectPreconditioner::Mult(const Vector &x, Vector &y) const
+{
+   const int begin = jacobian.Offsets()[1];
+   // Factors and their update are on the host.
+   right_side = x;
+   right_side.HostReadWrite();
+   for (const int dof : jacobian.PressureDofs())
+   {
+      right_side[begin + dof] = 0.0;
+   }
+   factors->Mult(right_side, y);
+   update.Correct(y);
+   const real_t *from = x.HostRead();
+   real_t *to = y.HostReadWrite();
+   for (const int dof : jacobian.PressureDofs())
+   {
+      to[begin + dof] = from[begin + dof];
+   }
+}
+
+} // namespace synovia

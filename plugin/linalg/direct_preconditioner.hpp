@@ -1,0 +1,92 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/linalg/low_rank_update.hpp"
+
+#include <array>
+#include <map>
+
+namespace synovia
+{
+
+/// A factorization of the whole Jacobian, kept over steps and active sets.
+///
+/// A changed active set differs from the one factorized by a matrix of low
+/// rank: each vertex that touches or leaves, each jump that is closed or open,
+/// each pressure that drains or is sealed makes one column. A column costs one
+/// solve, at a lower price among many, when it first occurs, and little after
+/// that. What else changes, such as a slightly different time step, costs
+/// iterations. The factorization is renewed when all that amounts to its cost.
+class DirectPreconditioner : public BiphasicPreconditioner
+{
+public:
+   /// Borrows @a jacobian. Collective.
+   DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
+                        int renew_after, const DirectOptions &options);
+
+   /// How many columns, as long as there are unknowns, may come together until
+   /// the factorization is renewed.
+   static mfem::real_t MostColumns(int renew_after);
+
+   void ContactMoved() override;
+   /// Older factors serve as long as their iterations cost less than new ones.
+   void BodiesChanged() override {}
+   void Update() override;
+   bool Report(int iterations, bool converged) override;
+   int Patience() const override;
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+private:
+   enum Kind
+   {
+      gap_row,
+      jump_row,
+      held_pressure
+   };
+   /// Which column: kind, pair, global row of the operator or global true dof
+   /// of the pressure.
+   using Key = std::array<HYPRE_BigInt, 3>;
+   /// What differs from the matrix factorized; the same list on all ranks.
+   struct Change
+   {
+      Key key;
+      mfem::real_t weight;
+   };
+   using Column = LowRankUpdate::Column;
+
+   bool IsLikeFactorized() const;
+   std::vector<Change> FindChanges() const;
+   void Factorize();
+   /// False if that would cost more than a factorization.
+   bool Follow(const std::vector<Change> &changes);
+   /// Those that have no column yet, or another one. Collective.
+   std::vector<Key> FindMissing(const std::vector<Change> &changes);
+   /// Makes the columns, solved for in batches.
+   void AddColumns(const std::vector<Key> &keys);
+   /// Column of W; its z is left empty.
+   Column ColumnOf(const Key &key);
+   /// Global rows of a pair's gap or jump operator x local true dofs.
+   const mfem::SparseMatrix &Rows(Kind kind, int pair);
+
+   const BiphasicJacobian &jacobian;
+   MPI_Comm comm;
+   int renew_after;
+   DirectOptions options;
+   mfem::real_t extra_solves = 0.0;
+   bool outdated = true;
+   bool fresh = false;
+   /// Whether operators are others than those factorized.
+   bool moved = false;
+   mfem::real_t dt = -1.0;
+   std::vector<mfem::Vector> gap_weights;
+   std::vector<mfem::Vector> jump_weights;
+   mfem::Array<int> p_dofs;
+   mfem::Vector holding;
+   std::unique_ptr<mfem::Solver> factors;
+   std::map<std::pair<int, int>, std::unique_ptr<mfem::SparseMatrix>> rows;
+   std::map<Key, Column> columns;
+   LowRankUpdate update;
+   mutable mfem::Vector right_side;
+};
+
+} // namespace synovia

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "synovia/general/error.hpp"
+
+#include "mfem.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// What a direct solver may rely on.
+enum class MatrixKind
+{
+   positive_definite,
+   symmetric
+};
+
+/// The library that factorizes.
+enum class DirectLibrary
+{
+   /// MUMPS where MFEM has it, else UMFPACK.
+   automatic,
+   /// On any number of ranks.
+   mumps,
+   /// On one rank.
+   umfpack
+};
+
+struct DirectOptions
+{
+   DirectLibrary library = DirectLibrary::automatic;
+   /// Most memory that a factorization may take on a rank (MB); 0: no limit.
+   int memory_limit = 0;
+};
+
+/// A factorization that failed, or a solve with it, on all ranks alike: the
+/// matrix is singular, or memory does not suffice.
+class FactorizationError : public Error
+{
+public:
+   using Error::Error;
+};
+
+/// Throws Error if MFEM lacks the library, or if it can't serve the ranks of
+/// @a comm.
+void VerifyDirectLibrary(DirectLibrary library, MPI_Comm comm);
+
+/// A direct factorization of a distributed matrix. A rank may own no rows.
+/// SetOperator() of the result, collective, takes another HypreParMatrix of the
+/// kind, factorizes it in place of the one before, and keeps the ordering if
+/// its entries are at the same places. It throws FactorizationError, as
+/// solves do, after which another matrix may be tried. Throws what
+/// VerifyDirectLibrary() throws, too.
+std::unique_ptr<mfem::Solver>
+MakeDirectSolver(const mfem::HypreParMatrix &matrix, MatrixKind kind,
+                 const DirectOptions &options = DirectOptions());
+
+} // namespace synovia

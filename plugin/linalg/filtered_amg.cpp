@@ -1,0 +1,305 @@
+#include "synovia/linalg/filtered_amg.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/vector_entries.hpp"
+#include "synovia/linalg/biphasic_jacobian.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Picks the dofs out of a vector: rows x dofs, one entry a row... its transpose
+// puts them back.
+std::unique_ptr<HypreParMatrix> Injection(const HypreParMatrix &square,
+                                          const Array<int> &dofs)
+{
+   MPI_Comm comm = square.GetComm();
+   HYPRE_BigInt local = dofs.Size();
+   HYPRE_BigInt end = 0;
+   MPI_Scan(&local, &end, 1, HYPRE_MPI_BIG_INT, MPI_SUM, comm);
+   HYPRE_BigInt columns = 0;
+   MPI_Allreduce(&local, &columns, 1, HYPRE_MPI_BIG_INT, MPI_SUM, comm);
+   HYPRE_BigInt column_offsets[2] = {end - local, end};
+
+   SparseMatrix injection(square.Height(), dofs.Size());
+   for (int j = 0; j < dofs.Size(); j++)
+   {
+      injection.Set(dofs[j], j, 1.0);
+   }
+   injection.Finalize();
+   HYPRE_BigInt row_offsets[2] = {square.RowPart()[0], square.RowPart()[1]};
+   const HypreParMatrix borrowed(comm, square.GetGlobalNumRows(), columns,
+                                 row_offsets, column_offsets, &injection);
+   // A copy owns its offsets and entries.
+   return std::make_unique<HypreParMatrix>(borrowed);
+}
+
+// Marks the local true dofs in which those rows of a distributed matrix have
+// entries that are positive in @a rows.
+void MarkColumns(const HypreParMatrix &matrix, const Vector &rows,
+                 Array<int> &marker)
+{
+   Vector weight(matrix.Width());
+   // |entries| can't cancel.
+   matrix.AbsMultTranspose(1.0, rows, 0.0, weight);
+   weight.HostRead();
+   for (int i = 0; i < weight.Size(); i++)
+   {
+      // Normals along an axis leave round-off in the other components.
+      if (weight[i] > 1e-10)
+      {
+         marker[i] = 1;
+      }
+   }
+}
+
+// Marks what is coupled to marked dofs as well.
+void MarkNeighbors(const HypreParMatrix &matrix, Array<int> &marker)
+{
+   Vector marked(matrix.Width());
+   for (int i = 0; i < marked.Size(); i++)
+   {
+      marked[i] = marker[i];
+   }
+   Vector weight(matrix.Height());
+   matrix.AbsMult(1.0, marked, 0.0, weight);
+   weight.HostRead();
+   for (int i = 0; i < weight.Size(); i++)
+   {
+      if (weight[i] > 0.0)
+      {
+         marker[i] = 1;
+      }
+   }
+}
+
+void Unmark(const Array<int> &dofs, Array<int> &marker)
+{
+   for (const int dof : dofs)
+   {
+      marker[dof] = 0;
+   }
+}
+} // namespace
+
+FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
+                         const Array<int> &prescribed_, int overlap_,
+                         const DirectOptions &options_)
+   : Solver(matrix_.Height()), matrix(matrix_), prescribed(prescribed_),
+     overlap(overlap_), options(options_), residual(height)
+{
+}
+
+void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
+                               std::unique_ptr<HypreBoomerAMG> amg_)
+{
+   ClearHierarchy();
+   alike = std::move(alike_);
+   amg = std::move(amg_);
+   selected.reset();
+   amg->SetPrintLevel(0);
+   amg->SetOperator(*alike);
+   // hypre sets up at the first use: now, while it can be timed as set-up.
+   residual = 0.0;
+   Vector nothing(height);
+   amg->Mult(residual, nothing);
+}
+
+void FilteredAmg::ClearHierarchy()
+{
+   amg.reset();
+   alike.reset();
+}
+
+void FilteredAmg::SetOperator(const Operator &)
+{
+   MFEM_ABORT("the filtered multigrid keeps its operator");
+}
+
+Array<int>
+FilteredAmg::Touched(int size,
+                     const std::vector<const HypreParMatrix *> &factors)
+{
+   Array<int> marker(size);
+   marker = 0;
+   for (const HypreParMatrix *factor : factors)
+   {
+      Vector all(factor->Height());
+      all = 1.0;
+      MarkColumns(*factor, all, marker);
+   }
+   return marker;
+}
+
+void FilteredAmg::SetFactors(
+   const std::vector<const HypreParMatrix *> &factors_)
+{
+   factors = factors_;
+   selected.reset();
+}
+
+Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights,
+                               const std::vector<Vector> &in_hierarchy) const
+{
+   Array<int> marker(height);
+   marker = 0;
+   for (size_t i = 0; i < factors.size(); i++)
+   {
+      Vector rows(weights[i].Size());
+      for (int j = 0; j < rows.Size(); j++)
+      {
+         const bool known = !in_hierarchy.empty() && in_hierarchy[i][j] > 0.0;
+         rows[j] = known || weights[i][j] > 0.0 ? 1.0 : 0.0;
+      }
+      MarkColumns(*factors[i], rows, marker);
+   }
+   for (const int dof : OnHost(held))
+   {
+      marker[dof] = 1;
+   }
+   Unmark(prescribed, marker);
+   return marker;
+}
+
+bool FilteredAmg::Select(const Array<int> &needed)
+{
+   bool other = !selected;
+   if (other)
+   {
+      selected = needed;
+   }
+   for (int i = 0; i < height; i++)
+   {
+      if (needed[i] > (*selected)[i])
+      {
+         (*selected)[i] = 1;
+         other = true;
+      }
+   }
+   return AnyRank(other, matrix.GetComm());
+}
+
+void FilteredAmg::Restrict()
+{
+   Array<int> marker(*selected);
+   for (int layer = 0; layer < overlap; layer++)
+   {
+      MarkNeighbors(matrix, marker);
+      Unmark(prescribed, marker);
+   }
+   contact_dofs.SetSize(0);
+   for (int i = 0; i < height; i++)
+   {
+      if (marker[i])
+      {
+         contact_dofs.Append(i);
+      }
+   }
+   contact_solver.reset();
+   penalties.reset();
+   factors_in_contact.clear();
+   has_contact = AnyRank(contact_dofs.Size() > 0, matrix.GetComm());
+   if (!has_contact)
+   {
+      return;
+   }
+   small_residual.SetSize(contact_dofs.Size());
+   small_correction.SetSize(contact_dofs.Size());
+   first.SetSize(contact_dofs.Size());
+   const std::unique_ptr<HypreParMatrix> injection =
+      Injection(matrix, contact_dofs);
+   contact_columns.reset(ParMult(&matrix, injection.get(), true));
+   const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
+   matrix_in_contact.reset(
+      ParMult(restriction.get(), contact_columns.get(), true));
+   Vector counts(height);
+   counts = 1.0;
+   counts.SetSubVector(prescribed, 0.0);
+   contact_columns->ScaleRows(counts);
+   for (const HypreParMatrix *factor : factors)
+   {
+      factors_in_contact.emplace_back(ParMult(factor, injection.get(), true));
+   }
+}
+
+bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
+                             const std::vector<Vector> &in_hierarchy)
+{
+   if (Select(Needed(weights, in_hierarchy)))
+   {
+      Restrict();
+   }
+   if (!has_contact)
+   {
+      return false;
+   }
+   penalties.reset();
+   for (size_t i = 0; i < factors_in_contact.size(); i++)
+   {
+      AddWeightedSquare(*factors_in_contact[i], weights[i], penalties);
+   }
+   const std::unique_ptr<HypreParMatrix> whole(
+      Add(1.0, *matrix_in_contact, 1.0, *penalties));
+   HoldContact(*whole);
+   if (contact_solver)
+   {
+      contact_solver->SetOperator(*whole);
+   }
+   else
+   {
+      contact_solver =
+         MakeDirectSolver(*whole, MatrixKind::positive_definite, options);
+   }
+   return true;
+}
+
+void FilteredAmg::HoldContact(HypreParMatrix &in_contact)
+{
+   held_in_contact.SetSize(0);
+   for (const int dof : OnHost(held))
+   {
+      const int place = contact_dofs.FindSorted(dof);
+      MFEM_VERIFY(place >= 0 || prescribed.FindSorted(dof) >= 0,
+                  "a held dof is not one that contact touches");
+      if (place >= 0)
+      {
+         held_in_contact.Append(place);
+      }
+   }
+   in_contact.EliminateBC(held_in_contact, DIAG_ONE);
+}
+
+void FilteredAmg::Mult(const Vector &x, Vector &y) const
+{
+   if (!has_contact)
+   {
+      amg->Mult(x, y);
+      return;
+   }
+   x.GetSubVector(contact_dofs, small_residual);
+   small_residual.SetSubVector(held_in_contact, 0.0);
+   contact_solver->Mult(small_residual, first);
+
+   residual = x;
+   contact_columns->Mult(-1.0, first, 1.0, residual);
+   penalties->Mult(-1.0, first, 0.0, small_residual);
+   residual.AddElementVector(contact_dofs, small_residual);
+   residual.SetSubVector(held, 0.0);
+   amg->Mult(residual, y);
+   y.SetSubVector(held, 0.0);
+
+   // The first solve left nothing at the contact's dofs: what there is now, the
+   // V-cycle made.
+   y.GetSubVector(contact_dofs, small_correction);
+   contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
+   penalties->Mult(-1.0, small_correction, 1.0, small_residual);
+   small_residual.SetSubVector(held_in_contact, 0.0);
+   contact_solver->Mult(small_residual, small_correction);
+   small_correction += first;
+   y.AddElementVector(contact_dofs, small_correction);
+   CopyEntries(held, x, y);
+}
+
+} // namespace synovia

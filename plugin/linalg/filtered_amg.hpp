@@ -1,0 +1,106 @@
+#pragma once
+
+#include "synovia/linalg/direct_solver.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace synovia
+{
+
+/// Approximate inverse of A + sum F^T W F that seldom rebuilds its hierarchy.
+///
+/// A is a matrix that multigrid likes, F the gap or jump operator of a contact
+/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up on A or
+/// on something like the whole that multigrid likes as well, stands between two
+/// exact solves on the dofs of the rows that have a weight: filter, V-cycle,
+/// filter, with the residual renewed in between. So neither the size of the
+/// penalty nor a change of the active set spoils the multigrid. Dofs that
+/// contact holds, such as pressures that drain where there is none, are left to
+/// the exact solves in the same way. The idea is AMG with filtering (Petrides
+/// et al. 2025); there the hierarchy is that of the whole matrix and the order
+/// is AMG, filter, AMG.
+class FilteredAmg : public mfem::Solver
+{
+public:
+   /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
+   /// dofs, ascending, don't count: those have unit rows in the inverse.
+   /// Solves exactly for @a overlap layers of dofs around those of the rows
+   /// that have a weight, too, with a direct solver that has @a options.
+   FilteredAmg(const mfem::HypreParMatrix &matrix,
+               const mfem::Array<int> &prescribed, int overlap,
+               const DirectOptions &options);
+
+   /// Takes @a amg, set up to choice but not yet with an operator, and builds
+   /// its hierarchy on @a alike, which has unit rows and columns for the
+   /// prescribed dofs. Must come first. SetWeights() must follow. Collective.
+   /// ClearHierarchy() before @a alike is made spares memory.
+   void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
+                     std::unique_ptr<mfem::HypreBoomerAMG> amg);
+   void ClearHierarchy();
+   /// Borrows other contact operators F, rows x true dofs, until others come.
+   /// Their columns at prescribed dofs don't count. SetWeights() must follow.
+   void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
+   /// Takes other dofs, ascending and among those that Touched() gives for the
+   /// factors, which are to be treated as if they were prescribed, although the
+   /// hierarchy knows nothing of it. SetWeights() must follow.
+   void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
+   /// Takes other weights, not negative, for each factor, and factorizes. Says
+   /// whether there was anything to factorize. @a in_hierarchy are the weights
+   /// with which factors are part of the hierarchy's matrix, empty if they are
+   /// not: the exact solves amend it there. Throws FactorizationError.
+   /// Collective.
+   bool SetWeights(const std::vector<mfem::Vector> &weights,
+                   const std::vector<mfem::Vector> &in_hierarchy);
+
+   /// 1 for the dofs, @a size on this rank, in which a factor has entries, 0
+   /// elsewhere. Collective.
+   static mfem::Array<int>
+   Touched(int size, const std::vector<const mfem::HypreParMatrix *> &factors);
+
+   void SetOperator(const mfem::Operator &) override;
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+
+private:
+   /// 1 for the dofs of the factors' rows that have a weight, now or in the
+   /// hierarchy, and for those held.
+   mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights,
+                           const std::vector<mfem::Vector> &in_hierarchy) const;
+   /// Adds to the selected dofs, and says whether the selection is another one
+   /// on any rank. What isn't needed any more stays: it may come back.
+   bool Select(const mfem::Array<int> &needed);
+   /// Restricts matrix and factors to the selected dofs and their neighbors.
+   void Restrict();
+   void HoldContact(mfem::HypreParMatrix &in_contact);
+
+   const mfem::HypreParMatrix &matrix;
+   mfem::Array<int> prescribed;
+   int overlap;
+   DirectOptions options;
+   mfem::Array<int> held;
+   std::unique_ptr<mfem::HypreParMatrix> alike;
+   std::unique_ptr<mfem::HypreBoomerAMG> amg;
+   std::vector<const mfem::HypreParMatrix *> factors;
+   /// 1 for the dofs to solve for exactly, but for their neighbors; none
+   /// selected yet for other factors or another hierarchy.
+   std::optional<mfem::Array<int>> selected;
+   mfem::Array<int> contact_dofs;
+   /// Of the held dofs, their places among the contact dofs.
+   mfem::Array<int> held_in_contact;
+   bool has_contact = false;
+   /// A's columns of the contact dofs, without prescribed rows: the contact's
+   /// rows as well, as A is symmetric.
+   std::unique_ptr<mfem::HypreParMatrix> contact_columns;
+   /// All on the contact dofs alone: A, the factors, and sum F^T W F.
+   std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;
+   std::vector<std::unique_ptr<mfem::HypreParMatrix>> factors_in_contact;
+   std::unique_ptr<mfem::HypreParMatrix> penalties;
+   std::unique_ptr<mfem::Solver> contact_solver;
+   mutable mfem::Vector residual;
+   mutable mfem::Vector first;
+   mutable mfem::Vector small_residual;
+   mutable mfem::Vector small_correction;
+};
+
+} // namespace synovia

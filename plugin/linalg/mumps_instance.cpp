@@ -1,0 +1,138 @@
+#include "synovia/linalg/mumps_instance.hpp"
+
+#ifdef MFEM_USE_MUMPS
+
+#include "synovia/general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#if MFEM_MUMPS_VERSION < 530
+#error "MUMPS >= 5.3 is needed: older ones take right sides on one rank only"
+#endif
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Places in ICNTL, INFO and INFOG, from 1, and what is put there.
+constexpr int error_stream = 1;
+constexpr int warning_stream = 2;
+constexpr int summary_stream = 3;
+constexpr int workspace_margin = 14;
+constexpr int matrix_input = 18;
+constexpr int right_side_input = 20;
+constexpr int solution_output = 21;
+constexpr int memory_per_rank = 23;
+constexpr int solution_size = 23;
+constexpr int status = 1;
+constexpr int detail = 2;
+constexpr int estimated_memory = 16;
+
+constexpr MUMPS_INT spd = 1;
+constexpr MUMPS_INT symmetric_indefinite = 2;
+constexpr MUMPS_INT distributed_entries = 3;
+constexpr MUMPS_INT distributed_right_side = 10;
+constexpr MUMPS_INT distributed_solution = 1;
+
+std::string Megabytes(double amount)
+{
+   return ToText(std::ceil(amount)) + " MB";
+}
+} // namespace
+
+MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit)
+{
+   data.sym =
+      kind == MatrixKind::positive_definite ? spd : symmetric_indefinite;
+   data.par = 1;
+   data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
+   Run(MumpsJob::start);
+   const auto set = [&](int place, MUMPS_INT value)
+   { data.icntl[place - 1] = value; };
+   // What fails is told by Explain().
+   for (const int stream : {error_stream, warning_stream, summary_stream})
+   {
+      set(stream, 0);
+   }
+   set(workspace_margin, 20);
+   set(matrix_input, distributed_entries);
+   set(right_side_input, distributed_right_side);
+   set(solution_output, distributed_solution);
+   set(memory_per_rank, memory_limit);
+}
+
+bool MumpsInstance::Run(MumpsJob job)
+{
+   data.job = static_cast<MUMPS_INT>(job);
+   dmumps_c(&data);
+   return data.infog[status - 1] >= 0;
+}
+
+MumpsStatus MumpsInstance::Status() const
+{
+   return static_cast<MumpsStatus>(data.infog[status - 1]);
+}
+
+MUMPS_INT &MumpsInstance::WorkspaceMargin()
+{
+   return data.icntl[workspace_margin - 1];
+}
+
+MUMPS_INT MumpsInstance::SolutionSize() const
+{
+   return data.info[solution_size - 1];
+}
+
+double MumpsInstance::MissingMemory() const
+{
+   const double number = data.infog[detail - 1];
+   // Below zero it counts millions of entries, says the users' guide; MUMPS 5.5
+   // on several ranks has entries there too. That many millions are none.
+   constexpr double most_millions = 1e5;
+   const bool millions = number < 0.0 && -number < most_millions;
+   return 1e-6 * sizeof(real_t) * (millions ? 1e6 : 1.0) * std::abs(number);
+}
+
+std::string MumpsInstance::Explain(const std::string &task) const
+{
+   const std::string who = "MUMPS could not " + task + " (" +
+                           std::to_string(data.n) + " unknowns): ";
+   const double missing = MissingMemory();
+   const double limit = data.icntl[memory_per_rank - 1];
+   const double foreseen = data.infog[estimated_memory - 1];
+   const double needed = foreseen > limit ? foreseen : limit + missing;
+   switch (Status())
+   {
+   case MumpsStatus::small_index_workspace:
+   case MumpsStatus::small_workspace:
+   case MumpsStatus::small_memory_limit:
+      if (limit > 0.0)
+      {
+         return who + "it needs about " + Megabytes(needed) + " on a rank, " +
+                Megabytes(needed - limit) + " more than direct_memory_limit (" +
+                Megabytes(limit) + ") allows";
+      }
+      return who + "it lacks " + Megabytes(missing) + " on a rank";
+   case MumpsStatus::no_memory:
+   case MumpsStatus::no_memory_for_numbers:
+   case MumpsStatus::no_memory_for_indices:
+      return who + "out of memory; it asked for " + Megabytes(missing) +
+             " more and needs about " + Megabytes(foreseen) + " on a rank";
+   case MumpsStatus::structurally_singular:
+   case MumpsStatus::singular:
+      return who + "the matrix is singular";
+   case MumpsStatus::not_positive_definite:
+      return who + "the matrix is not positive definite";
+   default:
+      return who + "INFOG(1) = " + std::to_string(data.infog[status - 1]) +
+             ", INFOG(2) = " + std::to_string(data.infog[detail - 1]);
+   }
+}
+
+} // namespace synovia
+
+#endif

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "synovia/linalg/direct_solver.hpp"
+
+#ifdef MFEM_USE_MUMPS
+
+#include <string>
+
+namespace synovia
+{
+
+/// What MUMPS can be told to do; numbers of its users' guide, as below.
+enum class MumpsJob
+{
+   start = -1,
+   finish = -2,
+   analyze = 1,
+   factorize = 2,
+   solve = 3
+};
+
+/// INFOG(1) of what can be mended, or explained to those who don't know MUMPS.
+enum class MumpsStatus
+{
+   no_memory_for_numbers = -5,
+   structurally_singular = -6,
+   no_memory_for_indices = -7,
+   small_index_workspace = -8,
+   small_workspace = -9,
+   singular = -10,
+   no_memory = -13,
+   small_memory_limit = -19,
+   not_positive_definite = -40
+};
+
+/// MUMPS' data of one matrix. Collective to make, to run and to end.
+class MumpsInstance
+{
+public:
+   /// @a memory_limit in MB on each rank, 0 for none.
+   MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit);
+   ~MumpsInstance() { Run(MumpsJob::finish); }
+   MumpsInstance(const MumpsInstance &) = delete;
+   MumpsInstance &operator=(const MumpsInstance &) = delete;
+
+   /// Whether it went well, on all ranks alike.
+   bool Run(MumpsJob job);
+   /// Of the last job, if it failed.
+   MumpsStatus Status() const;
+   /// Says why the last job failed: @a task is what could not be done.
+   std::string Explain(const std::string &task) const;
+   /// How much more workspace than foreseen is set aside, in percent.
+   MUMPS_INT &WorkspaceMargin();
+   /// Entries of a solution on this rank, once there are factors.
+   MUMPS_INT SolutionSize() const;
+
+   DMUMPS_STRUC_C data{};
+
+private:
+   /// Megabytes that MUMPS lacked, or asked for in vain.
+   double MissingMemory() const;
+};
+
+} // namespace synovia
+
+#endif

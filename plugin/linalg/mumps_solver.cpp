@@ -1,0 +1,171 @@
+#include "synovia/linalg/mumps_solver.hpp"
+
+#ifdef MFEM_USE_MUMPS
+
+#include "synovia/general/reduce.hpp"
+#include "synovia/linalg/local_rows.hpp"
+#include "synovia/linalg/mumps_instance.hpp"
+#include "synovia/linalg/pattern_hash.hpp"
+
+#include <numeric>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// The lower triangle of this rank's rows, in global numbers from 1.
+struct LowerTriangle
+{
+   explicit LowerTriangle(const HypreParMatrix &matrix)
+   {
+      const SparseMatrix mine = LocalRows(matrix);
+      const int first = static_cast<int>(matrix.RowPart()[0]);
+      rows.reserve(mine.NumNonZeroElems());
+      columns.reserve(mine.NumNonZeroElems());
+      values.reserve(mine.NumNonZeroElems());
+      for (int i = 0; i < mine.Height(); i++)
+      {
+         for (int k = mine.GetI()[i]; k < mine.GetI()[i + 1]; k++)
+         {
+            const int column = mine.GetJ()[k];
+            if (column <= first + i)
+            {
+               rows.push_back(first + i + 1);
+               columns.push_back(column + 1);
+               values.push_back(mine.GetData()[k]);
+            }
+         }
+      }
+   }
+
+   std::vector<int> rows;
+   std::vector<int> columns;
+   std::vector<real_t> values;
+};
+} // namespace
+
+MumpsSolver::MumpsSolver(MPI_Comm comm_, MatrixKind kind_, int memory_limit_)
+   : comm(comm_), kind(kind_), memory_limit(memory_limit_)
+{
+}
+
+MumpsSolver::~MumpsSolver() = default;
+
+void MumpsSolver::SetOperator(const Operator &op)
+{
+   const auto &matrix = dynamic_cast<const HypreParMatrix &>(op);
+   height = width = matrix.Height();
+   first_row = matrix.RowPart()[0];
+   route.reset();
+
+   const std::uint64_t now = PatternHash(matrix).Value();
+   const bool reorder = AnyRank(!instance || now != pattern, comm);
+   pattern = now;
+   if (reorder)
+   {
+      instance.reset();
+      instance = std::make_unique<MumpsInstance>(comm, kind, memory_limit);
+   }
+   LowerTriangle entries(matrix);
+   instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
+   instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
+   instance->data.irn_loc = entries.rows.data();
+   instance->data.jcn_loc = entries.columns.data();
+   instance->data.a_loc = entries.values.data();
+   if (reorder && !instance->Run(MumpsJob::analyze))
+   {
+      Fail("order the matrix");
+   }
+   if (!Factorize())
+   {
+      Fail("factorize the matrix");
+   }
+   right_side_rows.resize(height);
+   std::iota(right_side_rows.begin(), right_side_rows.end(),
+             static_cast<int>(first_row) + 1);
+   solution_rows.resize(instance->SolutionSize());
+}
+
+bool MumpsSolver::Factorize()
+{
+   // Pivots that can't be taken in the order foreseen cost workspace; within a
+   // limit MUMPS takes all there is.
+   constexpr int most_margin = 160;
+   while (!instance->Run(MumpsJob::factorize))
+   {
+      const MumpsStatus why = instance->Status();
+      const bool margin_helps =
+         why == MumpsStatus::small_index_workspace ||
+         (why == MumpsStatus::small_workspace && memory_limit == 0);
+      if (!margin_helps || instance->WorkspaceMargin() >= most_margin)
+      {
+         return false;
+      }
+      instance->WorkspaceMargin() *= 2;
+   }
+   return true;
+}
+
+void MumpsSolver::Fail(const std::string &task)
+{
+   const std::string reason = instance->Explain(task);
+   instance.reset();
+   throw FactorizationError(reason);
+}
+
+void MumpsSolver::Mult(const Vector &x, Vector &y) const
+{
+   Array<const Vector *> right_sides({&x});
+   Array<Vector *> solutions({&y});
+   ArrayMult(right_sides, solutions);
+}
+
+void MumpsSolver::ArrayMult(const Array<const Vector *> &x,
+                            Array<Vector *> &y) const
+{
+   MFEM_VERIFY(instance, "there is no factorization");
+   const int count = x.Size();
+   // One right side is used where it is, several are put side by side.
+   Vector several(count > 1 ? count * height : 0);
+   for (int i = 0; i < count && count > 1; i++)
+   {
+      several.SetVector(*x[i], i * height);
+   }
+   const int rows_here = static_cast<int>(solution_rows.size());
+   Vector solutions(count * rows_here);
+
+   DMUMPS_STRUC_C &data = instance->data;
+   data.nrhs = count;
+   data.nloc_rhs = data.lrhs_loc = height;
+   data.irhs_loc = const_cast<int *>(right_side_rows.data());
+   data.rhs_loc =
+      const_cast<real_t *>(count > 1 ? several.HostRead() : x[0]->HostRead());
+   data.lsol_loc = rows_here;
+   data.isol_loc = solution_rows.data();
+   data.sol_loc = solutions.HostWrite();
+   if (!instance->Run(MumpsJob::solve))
+   {
+      throw FactorizationError(instance->Explain("solve for a right side"));
+   }
+
+   if (!route)
+   {
+      std::vector<HYPRE_BigInt> rows;
+      for (const int row : solution_rows)
+      {
+         rows.push_back(row - 1);
+      }
+      route = std::make_unique<RowRoute>(rows, first_row, comm);
+   }
+   for (int i = 0; i < count; i++)
+   {
+      route->Bring(solutions.HostRead() + i * rows_here, *y[i]);
+   }
+}
+
+} // namespace synovia
+
+#endif

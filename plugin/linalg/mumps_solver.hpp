@@ -1,0 +1,58 @@
+#pragma once
+
+#include "synovia/linalg/direct_solver.hpp"
+
+#ifdef MFEM_USE_MUMPS
+
+#include "synovia/linalg/row_route.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace synovia
+{
+
+class MumpsInstance;
+
+/// Factors of a distributed symmetric matrix, by MUMPS.
+///
+/// MFEM's own interface ends the program if a factorization fails; this one
+/// throws FactorizationError, and can go on with another matrix.
+class MumpsSolver final : public mfem::Solver
+{
+public:
+   /// @a memory_limit in MB on each rank, 0 for none.
+   MumpsSolver(MPI_Comm comm, MatrixKind kind, int memory_limit);
+   /// Collective.
+   ~MumpsSolver() override;
+
+   /// Factorizes a HypreParMatrix; orders anew only if entries are at other
+   /// places than those of the last one. Collective, as solves are.
+   void SetOperator(const mfem::Operator &op) override;
+   void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+   void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
+                  mfem::Array<mfem::Vector *> &y) const override;
+
+private:
+   /// False if it fails for good.
+   bool Factorize();
+   /// Throws why, and forgets the factors.
+   [[noreturn]] void Fail(const std::string &task);
+
+   MPI_Comm comm;
+   MatrixKind kind;
+   int memory_limit;
+   std::unique_ptr<MumpsInstance> instance;
+   std::uint64_t pattern = 0;
+   HYPRE_BigInt first_row = 0;
+   /// Rows as MUMPS counts, from 1: of right sides, and of solutions where it
+   /// leaves them.
+   std::vector<int> right_side_rows;
+   mutable std::vector<int> solution_rows;
+   /// Known once there is a solution.
+   mutable std::unique_ptr<RowRoute> route;
+};
+
+} // namespace synovia
+
+#endif

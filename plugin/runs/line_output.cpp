@@ -1,0 +1,50 @@
+#include "synovia/runs/line_output.hpp"
+#include "synovia/general/error.hpp"
+
+namespace synovia
+{
+
+LineOutput::LineOutput(const CaseFile &setup, BiphasicProblem &problem_)
+   : directory(setup.output.directory + "/lines"), problem(problem_)
+{
+   CaseReading reading(setup.places);
+   for (size_t i = 0; i < setup.output.lines.size(); i++)
+   {
+      try
+      {
+         samplers.emplace_back(problem.Mesh(), setup.output.lines[i].line);
+      }
+      catch (const Error &error) // on all ranks alike
+      {
+         reading.AddError("output.line." + std::to_string(i), error.what());
+      }
+   }
+   reading.ThrowIfAny();
+}
+
+void LineOutput::Write(const std::vector<size_t> &which, TimeStepper &stepper)
+{
+   if (which.empty())
+   {
+      return;
+   }
+   if (!stress)
+   {
+      stress = std::make_unique<StressRecovery>(problem.Spaces().Displacement(),
+                                                problem.Materials(),
+                                                problem.GetDeformation());
+   }
+   stress->Update(stepper.Displacement(), stepper.Pressure());
+   for (const size_t i : which)
+   {
+      samplers[i].Write(
+         directory, stepper.Time(),
+         {{{"p"}, &stepper.Pressure()},
+          {{"ux", "uy", "uz"}, &stepper.Displacement()},
+          {{"sxx", "syy", "szz", "sxy", "syz", "sxz"}, &stress->Total()},
+          {{"esxx", "esyy", "eszz", "esxy", "esyz", "esxz"},
+           &stress->Effective()}});
+   }
+}
+
+} // namespace synovia

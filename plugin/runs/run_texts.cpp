@@ -1,0 +1,50 @@
+#include "synovia/runs/run_texts.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+namespace synovia
+{
+
+std::string SizeText(BiphasicSpaces &spaces, double seconds)
+{
+   int ranks = 1;
+   MPI_Comm_size(spaces.GetComm(), &ranks);
+   std::ostringstream text;
+   text << "order " << spaces.Order() << ", "
+        << spaces.Displacement().GlobalTrueVSize() +
+              spaces.Pressure().GlobalTrueVSize()
+        << " dofs on " << ranks << (ranks == 1 ? " rank" : " ranks")
+        << ", set up in " << std::setprecision(3) << seconds << " s";
+   return text.str();
+}
+
+std::string StepText(int step, const StepReport &report)
+{
+   std::ostringstream text;
+   text << "step " << step << "  t " << std::setprecision(10) << report.time
+        << "  dt " << std::setprecision(6) << report.dt << "  newton "
+        << report.solve.newton << "  augmentations "
+        << report.solve.augmentations << "  linear " << report.solve.linear
+        << "  area " << report.contact_area << "  seconds "
+        << std::setprecision(3) << report.seconds;
+   if (report.failures + report.rejections > 0)
+   {
+      text << "  failed tries " << report.failures << ", inaccurate "
+           << report.rejections;
+   }
+   return text.str();
+}
+
+std::string PhaseText(const PhaseTimes &phases, double total, double output)
+{
+   std::ostringstream text;
+   text << std::fixed << std::setprecision(1) << "total " << total
+        << " s: linear systems " << phases.linear << " s, their set-up "
+        << phases.setup << " s, contact search " << phases.search
+        << " s, assembly " << phases.assembly << " s, output " << output
+        << " s";
+   return text.str();
+}
+
+} // namespace synovia

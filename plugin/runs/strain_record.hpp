@@ -1,0 +1,38 @@
+#pragma once
+
+#include "synovia/fem/strain_monitor.hpp"
+
+#include <string>
+
+namespace synovia
+{
+
+/// The largest strains of a run so far, and what they mean for it.
+///
+/// Infinitesimal strain is a theory of small strains: beyond 10 %, or where det
+/// F falls to 0.5, it no longer describes the material.
+class StrainRecord
+{
+public:
+   /// Takes in an accepted step; gives a warning when these limits are passed
+   /// for the first time, else nothing.
+   std::string Add(const StrainExtremes &strains, mfem::real_t time);
+
+   /// What was largest, where and when; empty before the first step.
+   std::string Summary() const;
+
+private:
+   struct Extreme
+   {
+      StrainExtreme at;
+      mfem::real_t time = 0.0;
+   };
+   bool BeyondTheory() const;
+
+   bool empty = true;
+   bool warned = false;
+   Extreme principal;
+   Extreme det_F;
+};
+
+} // namespace synovia

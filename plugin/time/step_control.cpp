@@ -1,0 +1,129 @@
+#include "synovia/time/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Aim below the tolerance: a repeated step costs more than a short one.
+constexpr real_t safety = 0.9;
+// Longest growth, and longest cut, from one try to the next.
+constexpr real_t most_growth = 2.5;
+constexpr real_t most_cut = 0.02;
+// A longer step is worth new matrices only if it is this much longer.
+constexpr real_t least_growth = 1.3;
+// Above so many Newton iterations a solve, steps don't grow.
+constexpr real_t comfortable_newton = 20.0;
+// An error that falls with less than this power of the step is a jump.
+constexpr real_t jump_order = 0.1;
+// In the first step after a load changes, stiff modes make it fall slowly.
+constexpr real_t least_order = 0.25;
+constexpr int most_rejections = 8;
+constexpr real_t round_off = 1e-9;
+} // namespace
+
+StepControl::StepControl(const StepLimits &limits_)
+   : limits(limits_), length(limits.first)
+{
+}
+
+bool StepControl::Fail(real_t dt)
+{
+   failures++;
+   if (!limits.cut_back || dt <= limits.shortest * (1.0 + round_off))
+   {
+      return false;
+   }
+   length = std::max(limits.shortest, 0.5 * dt);
+   return true;
+}
+
+StepControl::Verdict StepControl::Judge(const StepTry &step)
+{
+   if (!limits.adaptive || step.error <= limits.tolerance ||
+       step.dt <= limits.shortest * (1.0 + round_off) ||
+       rejections >= most_rejections)
+   {
+      return Verdict::accept;
+   }
+   real_t order = step.order;
+   if (rejections > 0 && step.dt < rejected_dt)
+   {
+      const real_t observed = std::log(rejected_error / step.error) /
+                              std::log(rejected_dt / step.dt);
+      if (observed < jump_order)
+      {
+         return Verdict::accept_jump;
+      }
+      order = std::clamp(observed, least_order, order);
+   }
+   rejections++;
+   rejected_dt = step.dt;
+   rejected_error = step.error;
+   const real_t factor =
+      safety * std::pow(limits.tolerance / step.error, 1.0 / order);
+   length =
+      std::max(limits.shortest, step.dt * std::clamp(factor, most_cut, safety));
+   return Verdict::repeat;
+}
+
+void StepControl::Grow(const StepTry &step)
+{
+   const bool hard = step.newton > comfortable_newton;
+   const bool tried_again = failures > 0 || rejections > 0;
+   failures = 0;
+   rejections = 0;
+   if (!limits.adaptive)
+   {
+      const real_t next = hard ? step.dt : 2.0 * step.dt;
+      length = std::min(limits.first, std::max(length, next));
+      return;
+   }
+   const real_t allowed =
+      step.error > 0.0
+         ? step.dt * safety *
+              std::pow(limits.tolerance / step.error, 1.0 / step.order)
+         : std::numeric_limits<real_t>::max();
+   real_t next =
+      std::min(allowed, (hard || tried_again ? 1.0 : most_growth) * step.dt);
+   if (next > step.dt && next < least_growth * step.dt)
+   {
+      next = step.dt;
+   }
+   if (step.dt < length * (1.0 - round_off))
+   {
+      // It was short to end on time, which says nothing against longer ones.
+      next = std::max(next, std::min(allowed, length));
+   }
+   length = std::clamp(next, limits.shortest, limits.longest);
+}
+
+void StepControl::Archive(StateArchive &archive)
+{
+   archive.Number("step.length", length);
+   bool cut = length < limits.first;
+   archive.Flag("step.cut", cut);
+   if (!archive.Reads())
+   {
+      return;
+   }
+   // The limits may be others than those of the run that wrote.
+   failures = 0;
+   rejections = 0;
+   if (limits.adaptive)
+   {
+      length = std::clamp(length, limits.shortest, limits.longest);
+   }
+   else
+   {
+      length = cut ? std::min(length, limits.first) : limits.first;
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,158 @@
+#pragma once
+
+#include "synovia/physics/biphasic_problem.hpp"
+#include "synovia/time/step_control.hpp"
+#include "synovia/time/step_error.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// Times in the problem's unit; zero means: derived.
+struct TimeOptions
+{
+   mfem::real_t end = 1.0;
+   /// Length of the steps; of the first one to be tried if they are adaptive.
+   mfem::real_t step = 1.0;
+   TimeScheme scheme = TimeScheme::backward_euler;
+   /// Chooses the length of each step such that it makes an error of about
+   /// error_tolerance.
+   bool adaptive = false;
+   /// Error of one step in the energy norm of displacement and pressure, as a
+   /// part of the largest norm that they have had so far.
+   mfem::real_t error_tolerance = 5e-3;
+   /// Whether a step that fails is tried again from where it began, with half
+   /// the length.
+   bool cut_back = true;
+   /// A step of this length is not cut further: if its error is too large it is
+   /// accepted, if it does not converge the run fails. Derived: step / 1000.
+   mfem::real_t min_step = 0.0;
+   /// Longest adaptive step. Derived: end / 10, or step if that is longer.
+   mfem::real_t max_step = 0.0;
+   /// Times at which a step shall end, besides the corners of load curves;
+   /// those outside (0, end) don't matter.
+   std::vector<mfem::real_t> stops;
+};
+
+/// What one step came to.
+struct StepReport
+{
+   bool converged = false;
+   std::string reason;
+   mfem::real_t time = 0.0;
+   mfem::real_t dt = 0.0;
+   /// The last try.
+   SolveReport solve;
+   /// Tries that did not converge, and tries whose error was too large.
+   int failures = 0;
+   int rejections = 0;
+   /// Implicit solves of all tries.
+   int solves = 0;
+   /// What all tries took; that of the first step includes what was done before
+   /// it.
+   WorkCounts work;
+   /// Estimated error as error_tolerance has it; 0 where steps are fixed.
+   mfem::real_t error = 0.0;
+   /// Area in contact, of all pairs.
+   mfem::real_t contact_area = 0.0;
+   /// Wall time of the step (s).
+   mfem::real_t seconds = 0.0;
+};
+
+/// Marches a problem in time with MFEM's ODE solvers.
+///
+/// Steps have the length asked for or one that adapts, and end on the corners
+/// of the load curves, on the stops, and at the end. A step that fails leaves
+/// everything as it was. After cut-backs, steps of fixed length get back to the
+/// times they would have had without.
+///
+/// The error of an adaptive step is estimated from the rates of its stages,
+/// which needs no further solve. After a corner or a jump these are not smooth:
+/// that step is made of two halves, and the error taken from the comparison
+/// with a single step.
+class TimeStepper
+{
+public:
+   /// Borrows @a problem and assembles it if need be; the state starts at rest.
+   /// Throws Error on options out of range. Collective.
+   TimeStepper(BiphasicProblem &problem, const TimeOptions &options);
+
+   /// One accepted step, with all the tries that it takes, or a failed one.
+   /// Collective. Undefined once Done().
+   StepReport Step();
+   bool Done() const;
+
+   mfem::real_t Time() const { return time; }
+   /// Accepted steps since the time 0.
+   int Steps() const { return steps; }
+   /// Displacement and pressure, true dofs.
+   const mfem::BlockVector &State() const { return state; }
+   /// Velocity of the solid, the mean over the last step; true dofs.
+   const mfem::Vector &Velocity() const { return velocity; }
+   /// Fields of the state; they follow each step.
+   mfem::ParGridFunction &Displacement() { return displacement; }
+   mfem::ParGridFunction &Pressure() { return pressure; }
+   /// How many steps are left if none fails; with adaptive steps a guess, from
+   /// the present length and the mean one.
+   int StepsLeft() const;
+
+   /// Lists all that the next step depends on, the problem's part included.
+   /// Collective.
+   void Archive(StateArchive &archive);
+
+private:
+   struct Stop
+   {
+      mfem::real_t time;
+      bool corner;
+   };
+   /// A converged try.
+   struct Try
+   {
+      explicit Try(const mfem::BlockVector &start) : state(start) {}
+      mfem::BlockVector state;
+      StepTry step;
+      /// Length of its last part, from which the next rate stems.
+      mfem::real_t last_dt = 0.0;
+   };
+
+   void SetStops(const std::vector<mfem::real_t> &corners);
+   const Stop &NextStop(mfem::real_t from) const;
+   mfem::real_t Target() const;
+   bool Advance(mfem::real_t dt, Try &result);
+   bool AdvanceInHalves(mfem::real_t dt, Try &result);
+   void Solve(mfem::real_t t, mfem::real_t dt, mfem::BlockVector &x);
+   void Accept(const Try &result, mfem::real_t target, bool jump);
+   void UpdateFields();
+
+   BiphasicOperator &op;
+   TimeOptions options;
+   StageRecorder recorder;
+   std::unique_ptr<mfem::ODESolver> solver;
+   EnergyNorm norm;
+   StepControl control;
+   /// Times that differ by less are the same.
+   mfem::real_t same_time;
+   std::vector<Stop> stops;
+   mfem::real_t time = 0.0;
+   /// Where the present step ends if it is not cut: fixed steps only.
+   mfem::real_t goal = 0.0;
+   int steps = 0;
+   /// As far as it was reported.
+   WorkCounts reported;
+   mfem::BlockVector state;
+   mfem::Vector velocity;
+   /// Whether the rate at the end of the last step says something of the next,
+   /// and over what length it was found.
+   bool smooth = false;
+   mfem::real_t last_dt = 0.0;
+   /// The largest norm of the state, in tries that were not accepted too.
+   mfem::real_t largest = 0.0;
+   mfem::ParGridFunction displacement;
+   mfem::ParGridFunction pressure;
+};
+
+} // namespace synovia
