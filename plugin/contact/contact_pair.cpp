@@ -116,6 +116,8 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
       v->SetSize(size);
       *v = 0.0;
    }
+   gap_resistance.SetSize(size);
+   gap_resistance = 0.0;
    pressure_held.SetSize(size);
    pressure_held = false;
    seal_opened.SetSize(size);
@@ -244,6 +246,7 @@ void ContactPair::SetPenalties()
       penalty[j] = stiffening.gap * options.penalty;
       resistance[j] =
          area > 0.0 ? softest_modulus / h * destination_areas[j] / area : 0.0;
+      gap_resistance[j] = area * resistance[j];
       pressure_penalty[j] = stiffening.jump * options.pressure_penalty;
       if (area > 0.0 && options.penalty == 0.0)
       {
@@ -383,6 +386,17 @@ void ContactPair::AddMagnitudes(const Vector &u, const Vector &p,
    operators.jump->AbsMult(1.0, p, 0.0, rows);
    rows *= jump_weights;
    operators.jump->AbsMultTranspose(1.0, rows, 1.0, mass);
+}
+
+ContactFactors ContactPair::Factors() const
+{
+   ContactFactors factors;
+   factors.gap = factors.gap_change = operators.gap.get();
+   factors.jump = operators.jump.get();
+   factors.gap_weights = &gap_weights;
+   factors.jump_weights = &jump_weights;
+   factors.gap_resistance = &gap_resistance;
+   return factors;
 }
 
 Vector ContactPair::SoftGapWeights() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/contact/contact_factors.hpp"
 #include "synovia/contact/gap_operators.hpp"
 #include "synovia/general/state_archive.hpp"
 #include "synovia/materials/material_table.hpp"
@@ -151,6 +152,9 @@ public:
    void AddMagnitudes(const mfem::Vector &u, const mfem::Vector &p,
                       mfem::Vector &momentum, mfem::Vector &mass) const;
 
+   /// Of the linearized equations at the last UpdateActiveSet(). Searched.
+   ContactFactors Factors() const;
+
    /// Weights of the semi-definite terms G^T W G and J^T W_p J.
    const mfem::Vector &GapWeights() const { return gap_weights; }
    const mfem::Vector &JumpWeights() const { return jump_weights; }
@@ -298,6 +302,8 @@ private:
 
    /// What the bodies resist at a vertex (stress / length).
    mfem::Vector resistance;
+   /// That times the area (force / length).
+   mfem::Vector gap_resistance;
    mfem::Vector penalty;
    mfem::Vector pressure_penalty;
    mfem::Vector multiplier;
