@@ -1,12 +1,12 @@
 #include "synovia/checks/contact_grip.hpp"
-#include "synovia/cases/case_problem.hpp"
 #include "synovia/checks/body_shape.hpp"
 #include "synovia/checks/layer_loads.hpp"
-#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/checks/vertex_normals.hpp"
+#include "synovia/fem/null_space.hpp"
 #include "synovia/general/reduce_lists.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace synovia
 {
@@ -15,82 +15,172 @@ using namespace mfem;
 
 namespace
 {
-// Contact pushes along an axis if the surfaces that face it are at least this
-// part of all, seen along it.
+constexpr int per_body = RigidMotions::per_body;
+// Contact pushes along a motion if its surfaces sweep at least this part of
+// what they would along their normals.
 constexpr real_t least_part = 0.02;
+// Surfaces slide if the mean square of their motion along the normals is less
+// than this part of that of the whole motion: flat faces of round surfaces
+// don't hold them.
+constexpr real_t slides = 1e-3;
+// Parts of a sliding motion that come from flat faces of round surfaces.
+constexpr real_t facets = 0.05;
+} // namespace
 
-// The contact surfaces of each body, seen along x, y and z from above and below
-// (6 values), and their area.
-constexpr int views = 7;
-
-std::vector<real_t> SeenAreas(const Array<int> &touching, ParMesh &mesh,
-                              const std::vector<Body> &bodies)
+ContactGrip::ContactGrip(const CaseFile &setup, CaseProblem &problem,
+                         const std::vector<Body> &bodies,
+                         const RigidMotions &motions_)
+   : motions(motions_), comm(problem.Get().Spaces().GetComm()),
+     areas(bodies.size(), 0.0), loads(bodies.size())
 {
+   const NamedMesh &mesh = problem.Get().Mesh();
+   const Array<int> surfaces = ContactSurfaces(setup, mesh);
+   AddCorners(surfaces, problem.Get().Spaces(), bodies);
+   for (size_t b = 0; b < bodies.size(); b++)
+   {
+      loads[b].contact = bodies[b].Touches(surfaces);
+      for (const BoundaryCase &boundary : setup.boundaries)
+      {
+         Array<int> on;
+         for (const std::string &name : boundary.surfaces)
+         {
+            on.Append(mesh.Boundary(name));
+         }
+         if (bodies[b].Touches(on))
+         {
+            AddLoads(boundary, loads[b]);
+         }
+      }
+   }
+}
+
+void ContactGrip::AddCorners(const Array<int> &surfaces, BiphasicSpaces &spaces,
+                             const std::vector<Body> &bodies)
+{
+   const ParMesh &mesh = spaces.GetMesh();
    const std::vector<int> body_of =
       BodyOfRegions(bodies, mesh.attributes.Max());
-   std::vector<real_t> areas(views * bodies.size(), 0.0);
+   const VertexNormals normals(spaces, surfaces);
    for (int i = 0; i < mesh.GetNBE(); i++)
    {
-      if (touching.Find(mesh.GetBdrAttribute(i)) < 0)
+      if (surfaces.Find(mesh.GetBdrAttribute(i)) < 0)
       {
          continue;
       }
-      real_t *const seen = &areas[views * body_of[RegionBehind(mesh, i)]];
-      for (const Triangle &triangle : Triangulate(mesh, i))
+      const FaceCorners face = normals.Corners(i);
+      const int body = body_of[RegionBehind(mesh, i)];
+      const real_t area = Length(face.AreaVector());
+      areas[body] += area;
+      for (size_t k = 0; k < face.points.size(); k++)
       {
-         const Point3 area = AreaVector(triangle);
-         for (int d = 0; d < 3; d++)
-         {
-            seen[area[d] > 0.0 ? d : 3 + d] += std::abs(area[d]);
-         }
-         seen[6] += Length(area);
+         corners.push_back(
+            {body, face.points[k],
+             Sum({0.0, 0.0, 0.0}, area / face.points.size(), face.Normal(k))});
       }
    }
-   SumOverRanks(areas, mesh.GetComm());
-   return areas;
+   SumOverRanks(areas, comm);
 }
 
-void AddLoads(const BoundaryCase &boundary, ContactGrip &grip)
+void ContactGrip::AddLoads(const BoundaryCase &boundary, Loads &of_body) const
 {
    for (int d = 0; d < 3; d++)
    {
-      grip.driven[d] = grip.driven[d] || boundary.force.Drives(d);
-      grip.loaded[d] =
-         grip.loaded[d] || grip.driven[d] || boundary.normal_traction ||
+      of_body.driven[d] = of_body.driven[d] || boundary.force.Drives(d);
+      of_body.loaded[d] =
+         of_body.loaded[d] || of_body.driven[d] || boundary.normal_traction ||
          (boundary.traction && Amplitude((*boundary.traction)[d]) > 0.0);
    }
 }
-} // namespace
 
-std::vector<ContactGrip> FindContactGrips(const CaseFile &setup,
-                                          NamedMesh &mesh,
-                                          const std::vector<Body> &bodies)
+std::array<real_t, per_body> ContactGrip::Swept(const Corner &corner) const
 {
-   const std::vector<real_t> areas =
-      SeenAreas(ContactSurfaces(setup, mesh), mesh.Get(), bodies);
-   std::vector<ContactGrip> grips(bodies.size());
-   for (size_t b = 0; b < bodies.size(); b++)
+   std::array<real_t, per_body> swept;
+   for (int m = 0; m < per_body; m++)
    {
-      const real_t *const seen = &areas[views * b];
-      for (int d = 0; d < 3; d++)
+      swept[m] = Dot(corner.area, motions.At(corner.body, m, corner.place));
+   }
+   return swept;
+}
+
+ContactGrip::Motions ContactGrip::Split(const std::vector<Vector> &free) const
+{
+   const int size = static_cast<int>(free.size());
+   std::vector<real_t> sums(size * size, 0.0);
+   Vector swept(size);
+   for (const Corner &corner : corners)
+   {
+      const std::array<real_t, per_body> each = Swept(corner);
+      for (int i = 0; i < size; i++)
       {
-         grips[b].pushes_down[d] = seen[d] > least_part * seen[6];
-         grips[b].pushes_up[d] = seen[3 + d] > least_part * seen[6];
+         swept[i] =
+            std::inner_product(each.begin(), each.end(),
+                               free[i].GetData() + per_body * corner.body, 0.0);
       }
-      for (const BoundaryCase &boundary : setup.boundaries)
+      const real_t weight = 1.0 / (Length(corner.area) * areas[corner.body]);
+      for (int i = 0; i < size * size; i++)
       {
-         Array<int> surfaces;
-         for (const std::string &name : boundary.surfaces)
+         sums[i] += weight * swept[i % size] * swept[i / size];
+      }
+   }
+   SumOverRanks(sums, comm);
+   const DenseMatrix resistance(sums.data(), size, size);
+   Motions split;
+   for (const Vector &factors : NullSpace(resistance, slides))
+   {
+      split.sliding.emplace_back(per_body * motions.Bodies());
+      split.sliding.back() = 0.0;
+      for (int i = 0; i < size; i++)
+      {
+         if (std::abs(factors[i]) > facets)
          {
-            surfaces.Append(mesh.Boundary(name));
-         }
-         if (bodies[b].Touches(surfaces))
-         {
-            AddLoads(boundary, grips[b]);
+            split.sliding.back().Add(factors[i], free[i]);
          }
       }
    }
-   return grips;
+   for (const int i : IndependentColumns(resistance, slides))
+   {
+      split.resisted.push_back(free[i]);
+   }
+   return split;
+}
+
+bool ContactGrip::FromOneSide(const Vector &motion) const
+{
+   std::vector<real_t> swept(2, 0.0);
+   for (const Corner &corner : corners)
+   {
+      const std::array<real_t, per_body> each = Swept(corner);
+      const real_t out =
+         std::inner_product(each.begin(), each.end(),
+                            motion.GetData() + per_body * corner.body, 0.0) /
+         areas[corner.body];
+      swept[out > 0.0 ? 0 : 1] += std::abs(out);
+   }
+   SumOverRanks(swept, comm);
+   return (swept[0] > least_part) != (swept[1] > least_part);
+}
+
+bool ContactGrip::Any(const std::array<bool, 3> &axes, int body,
+                      const Vector &motion) const
+{
+   const real_t *const factors = motion.GetData() + per_body * body;
+   const bool turns = motions.Direction(body, factors).turns;
+   bool any = false;
+   for (int d = 0; d < 3; d++)
+   {
+      any = any || (axes[d] && (turns || factors[d] != 0.0));
+   }
+   return any;
+}
+
+bool ContactGrip::IsLoaded(int body, const Vector &motion) const
+{
+   return Any(loads[body].loaded, body, motion);
+}
+
+bool ContactGrip::IsDriven(int body, const Vector &motion) const
+{
+   return Any(loads[body].driven, body, motion);
 }
 
 } // namespace synovia

@@ -71,6 +71,17 @@ Point3 FaceCorners::Center() const
    return center;
 }
 
+Point3 FaceCorners::AreaVector() const
+{
+   return AreaOf(points);
+}
+
+Point3 FaceCorners::Normal(size_t corner) const
+{
+   const Point3 own = Unit(AreaVector());
+   return Dot(own, normals[corner]) > smooth_cosine ? normals[corner] : own;
+}
+
 VertexNormals::VertexNormals(BiphasicSpaces &spaces_,
                              const Array<int> &surfaces)
    : spaces(spaces_), normals(spaces.Multiplier().GetVSize()),

@@ -17,6 +17,9 @@ struct FaceCorners
    std::vector<bool> smooth;
 
    Point3 Center() const;
+   Point3 AreaVector() const;
+   /// The surface's normal at a corner, or the face's own at a sharp edge.
+   Point3 Normal(size_t corner) const;
 };
 
 /// The normals of a surface at its vertices: the mean of its faces', by area.

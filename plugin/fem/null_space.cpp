@@ -7,17 +7,16 @@ namespace synovia
 
 using namespace mfem;
 
-std::vector<Vector> NullSpace(const DenseMatrix &a)
+namespace
 {
-   // Of the largest pivot: below this it is round-off.
-   constexpr real_t nothing = 1e-9;
-   DenseMatrix rows(a);
+// Gauss-Jordan; the largest pivot is on the diagonal of what is left. Replaces
+// rows of pivots by the reduced ones.
+Array<int> Eliminate(DenseMatrix &rows, real_t tolerance)
+{
    const int size = rows.Height();
-   // Gauss-Jordan; the largest pivot is on the diagonal of what is left.
    Array<int> pivots;
    Array<bool> used(size);
    used = false;
-   real_t first = 0.0;
    while (pivots.Size() < size)
    {
       int best = -1;
@@ -28,8 +27,7 @@ std::vector<Vector> NullSpace(const DenseMatrix &a)
             best = i;
          }
       }
-      first = pivots.Size() == 0 ? rows(best, best) : first;
-      if (!(rows(best, best) > nothing * first))
+      if (!(rows(best, best) > tolerance))
       {
          break;
       }
@@ -49,18 +47,30 @@ std::vector<Vector> NullSpace(const DenseMatrix &a)
          }
       }
    }
+   return pivots;
+}
+} // namespace
+
+Array<int> IndependentColumns(DenseMatrix a, real_t tolerance)
+{
+   return Eliminate(a, tolerance);
+}
+
+std::vector<Vector> NullSpace(DenseMatrix a, real_t tolerance)
+{
+   const Array<int> pivots = Eliminate(a, tolerance);
    std::vector<Vector> free;
-   for (int f = 0; f < size; f++)
+   for (int f = 0; f < a.Height(); f++)
    {
-      if (!used[f])
+      if (pivots.Find(f) < 0)
       {
-         free.emplace_back(size);
+         free.emplace_back(a.Height());
          Vector &x = free.back();
          x = 0.0;
          x[f] = 1.0;
          for (const int pivot : pivots)
          {
-            x[pivot] = -rows(pivot, f);
+            x[pivot] = -a(pivot, f);
          }
          x /= x.Normlinf();
       }

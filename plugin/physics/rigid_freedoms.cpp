@@ -1,11 +1,11 @@
 #include "synovia/physics/rigid_freedoms.hpp"
 #include "synovia/fem/null_space.hpp"
 #include "synovia/general/reduce.hpp"
-#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace synovia
 {
@@ -47,40 +47,19 @@ void AddSquare(const RigidMotions &motions, int dof, real_t s, DenseMatrix &sum)
       }
    }
 }
-
-std::string AxisText(const Point3 &direction)
-{
-   const char *const axes[3] = {"x", "y", "z"};
-   const real_t length = Length(direction);
-   for (int d = 0; d < 3; d++)
-   {
-      if (std::abs(direction[d]) > (1.0 - tiny) * length)
-      {
-         return axes[d];
-      }
-   }
-   return "(" + ToText(direction[0] / length) + ", " +
-          ToText(direction[1] / length) + ", " + ToText(direction[2] / length) +
-          ")";
-}
-
-// Round-off left of zero reads badly.
-std::string PlaceText(const Point3 &place, real_t size)
-{
-   std::string text;
-   for (const real_t x : place)
-   {
-      text += (text.empty() ? "(" : ", ") +
-              ToText(std::abs(x) < tiny * size ? 0.0 : x);
-   }
-   return text + ")";
-}
 } // namespace
 
 RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
                              BiphasicSpaces &spaces,
                              const BoundaryConditions &conditions)
-   : comm(spaces.GetComm()), motions(bodies, spaces)
+   : RigidFreedoms(bodies, RigidMotions(bodies, spaces), spaces, conditions)
+{
+}
+
+RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
+                             RigidMotions motions_, BiphasicSpaces &spaces,
+                             const BoundaryConditions &conditions)
+   : comm(spaces.GetComm()), motions(std::move(motions_))
 {
    const DenseMatrix all = OfSupports(spaces, conditions);
    std::set<int> found;
@@ -250,22 +229,19 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
    return part;
 }
 
-std::string RigidFreedoms::Describe(const Vector &motion, int place) const
+std::vector<Vector> RigidFreedoms::WithoutContact() const
 {
-   const int body = loose[place];
-   const real_t *r = motion.GetData() + per_body * place;
-   const Point3 shift{r[0], r[1], r[2]};
-   const Point3 turn{r[3], r[4], r[5]};
-   if (Length(turn) <= tiny)
+   std::vector<Vector> all;
+   for (const Vector &motion : NullSpace(supports))
    {
-      return "move along " + AxisText(shift);
+      all.emplace_back(per_body * motions.Bodies());
+      all.back() = 0.0;
+      for (int i = 0; i < motion.Size(); i++)
+      {
+         all.back()[per_body * loose[i / per_body] + i % per_body] = motion[i];
+      }
    }
-   const real_t radius = motions.Radius(body);
-   const Point3 rate = Sum({0.0, 0.0, 0.0}, 1.0 / radius, turn);
-   const Point3 center =
-      Sum(motions.Center(body), 1.0 / Dot(rate, rate), Cross(rate, shift));
-   return "turn about " + AxisText(turn) + " through " +
-          PlaceText(center, radius);
+   return all;
 }
 
 std::string RigidFreedoms::Validate(const std::vector<ContactPair *> &pairs,
@@ -292,7 +268,11 @@ std::string RigidFreedoms::Validate(const std::vector<ContactPair *> &pairs,
          if (part.Normlinf() > tiny)
          {
             together += (together.empty() ? "" : " and ") + names[i];
-            how = how.empty() ? Describe(motion, i) : how;
+            const RigidDirection direction =
+               motions.Direction(loose[i], part.GetData());
+            how = !how.empty()
+                     ? how
+                     : (direction.turns ? "turn " : "move ") + direction.text;
          }
       }
       std::string &text = freedoms[together];

@@ -20,6 +20,15 @@ public:
    /// Borrows @a spaces only for the constructor. Collective.
    RigidFreedoms(const std::vector<Body> &bodies, BiphasicSpaces &spaces,
                  const BoundaryConditions &conditions);
+   /// The same with these motions of the bodies.
+   RigidFreedoms(const std::vector<Body> &bodies, RigidMotions motions,
+                 BiphasicSpaces &spaces, const BoundaryConditions &conditions);
+
+   const RigidMotions &Motions() const { return motions; }
+
+   /// Motions that supports and springs leave, which span all such: factors of
+   /// the six motions of each body.
+   std::vector<mfem::Vector> WithoutContact() const;
 
    /// Whether supports and springs alone hold all bodies.
    bool HoldAll() const { return loose.empty(); }
@@ -39,9 +48,6 @@ private:
    mfem::DenseMatrix OfSprings(const SpringFoundation &springs) const;
    mfem::DenseMatrix OfContact(const ContactPair &pair,
                                mfem::real_t least_force) const;
-   /// What one of the loose bodies does in a motion of all of them.
-   std::string Describe(const mfem::Vector &motion, int place) const;
-
    MPI_Comm comm;
    RigidMotions motions;
    /// Bodies that contact must hold, and their names.
