@@ -226,7 +226,7 @@ real_t CompareForce(Simulation &simulation)
       }
       const ContactPair &pair =
          *simulation.Problem().Operator().Pairs().front();
-      const real_t force = 4.0 * pair.Diagnose().source_force[2];
+      const real_t force = 4.0 * Diagnose(pair).source_force[2];
       const real_t error = force / exact.force - 1.0;
       if (Mpi::Root())
       {

@@ -255,7 +255,7 @@ Load TibialLoad(const std::string &side,
    Load load;
    for (const ContactPair *pair : pairs)
    {
-      const ContactPair::Diagnostics now = pair->Diagnose();
+      const ContactDiagnostics now = Diagnose(*pair);
       if (pair->Name() == "femur-tibia-" + side)
       {
          load.force -= now.destination_force[2];

@@ -338,7 +338,7 @@ void AddResults(BiphasicProblem &problem, const Totals &totals, CsvRow &row)
    real_t error = 0.0;
    for (const ContactPair *pair : problem.Operator().Pairs())
    {
-      const ContactPair::Diagnostics now = pair->Diagnose();
+      const ContactDiagnostics now = Diagnose(*pair);
       const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
       const real_t size = Length(now.source_force);
       error = size > 0.0 ? Length(sum) / size : 0.0;

@@ -16,12 +16,13 @@ namespace
 // Where the surfaces see each other.
 real_t LeastGap(const ContactPair &pair)
 {
+   const Vector &gap = pair.State().gap;
    real_t least = std::numeric_limits<real_t>::infinity();
-   for (int j = 0; j < pair.Gap().Size(); j++)
+   for (int j = 0; j < gap.Size(); j++)
    {
-      if (pair.Operators().area[j] > 0.0)
+      if (pair.Coverage().area[j] > 0.0)
       {
-         least = std::min(least, pair.Gap()[j]);
+         least = std::min(least, gap[j]);
       }
    }
    return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
@@ -72,7 +73,7 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                      Attributes(mesh, contact.source),
                      Attributes(mesh, contact.destination), contact.options));
                   borrowed.push_back(pairs.back().get());
-                  borrowed.back()->LookAsMeshed();
+                  borrowed.back()->SearchReference();
                });
    }
    reading.ThrowIfAny();
@@ -87,11 +88,12 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                [&]()
                {
                   ContactPair &pair = *pairs[i];
-                  pair.SetTimeStep(setup.time.step);
+                  pair.Enforcement().SetTimeStep(setup.time.step);
                   pair.Search(u);
-                  pair.Evaluate(u, p);
+                  pair.Enforcement().Evaluate(u, p);
                   found.push_back({pair.Name(), LeastGap(pair),
-                                   pair.GapTolerance(), pair.SearchRadius()});
+                                   pair.Scales().gap_tolerance,
+                                   pair.Scales().search_radius});
                });
    }
    reading.ThrowIfAny();

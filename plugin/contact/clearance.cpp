@@ -19,15 +19,15 @@ Clearance FindClearance(const ContactPair &pair, const Vector &motion)
 {
    // Surfaces that slide along each other hardly come nearer.
    constexpr real_t slides = 0.2;
-   const GapOperators &operators = pair.Operators();
-   Vector closing(operators.gap->Height());
-   operators.gap->Mult(-1.0, motion, 0.0, closing);
+   const ContactCoverage &coverage = pair.Coverage();
+   Vector closing(coverage.area.Size());
+   pair.Factors().gap_change->Mult(-1.0, motion, 0.0, closing);
    closing.HostRead();
    Clearance clearance;
    for (int j = 0; j < closing.Size(); j++)
    {
-      const real_t gap = pair.Gap()[j];
-      if (!(operators.area[j] > 0.0) || std::abs(closing[j]) < slides)
+      const real_t gap = pair.State().gap[j];
+      if (!(coverage.area[j] > 0.0) || std::abs(closing[j]) < slides)
       {
          continue;
       }
@@ -37,7 +37,7 @@ Clearance FindClearance(const ContactPair &pair, const Vector &motion)
          continue;
       }
       clearance.ahead = std::min(clearance.ahead, gap / closing[j]);
-      clearance.touches = clearance.touches || gap < pair.GrazingGap(j);
+      clearance.touches = clearance.touches || gap < coverage.GrazingGap(j);
    }
    MPI_Comm comm = pair.Source().Spaces().GetComm();
    clearance.ahead = -MaxOverRanks(-clearance.ahead, comm);

@@ -1,21 +1,12 @@
 #pragma once
 
+#include "synovia/contact/contact_coverage.hpp"
 #include "synovia/contact/contact_surface.hpp"
 
-#include <array>
 #include <vector>
 
 namespace synovia
 {
-
-/// The part of a destination face that the source covers.
-struct FaceCoverage
-{
-   /// Number of the face in the destination's ContactSurface.
-   int face = -1;
-   /// int phi_j over that part for each vertex of the face (area).
-   std::array<mfem::real_t, 4> area{{0.0, 0.0, 0.0, 0.0}};
-};
 
 /// Means of a function around the vertices, int phi_j f / int phi_j over what
 /// the source covers, or zero where it covers nothing. The function has

@@ -77,8 +77,8 @@ Box DeformedFace::CurrentBox() const
 }
 
 ContactSurface::ContactSurface(BiphasicSpaces &spaces_,
-                               const Array<int> &boundary)
-   : spaces(spaces_)
+                               const Array<int> &boundary_)
+   : spaces(spaces_), boundary(boundary_)
 {
    ParMesh &mesh = spaces.GetMesh();
    const Array<int> marker = BoundaryMarker(mesh, boundary);

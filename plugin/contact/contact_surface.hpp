@@ -72,6 +72,8 @@ public:
 
    const std::vector<DeformedFace> &Faces() const { return faces; }
    BiphasicSpaces &Spaces() const { return spaces; }
+   /// The attributes.
+   const mfem::Array<int> &Boundary() const { return boundary; }
 
    /// True dofs of the surface, ascending.
    const mfem::Array<int> &DisplacementTrueDofs() const { return u_tdofs; }
@@ -80,6 +82,7 @@ public:
 
 private:
    BiphasicSpaces &spaces;
+   mfem::Array<int> boundary;
    std::vector<DeformedFace> faces;
    mfem::Array<int> u_tdofs;
    mfem::Array<int> p_tdofs;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "synovia/contact/contact_area.hpp"
+#include "synovia/contact/contact_coverage.hpp"
+#include "synovia/contact/contact_options.hpp"
 #include "synovia/contact/contact_surface.hpp"
 
 #include <array>
@@ -8,21 +9,6 @@
 
 namespace synovia
 {
-
-/// The direction in which gaps are measured and tractions act. Normals are
-/// those of the reference configuration, as the theory of small strains has it:
-/// with normals that follow the deformation, but without the geometric
-/// stiffness that belongs to them, surfaces buckle as soon as the traction gets
-/// near the shear modulus.
-enum class ContactNormal
-{
-   /// The destination's normal.
-   destination,
-   /// The mean of the destination's normal and the opposite of the source's at
-   /// the point found: the same whichever surface is the destination, up to the
-   /// gap times the curvature.
-   mean
-};
 
 /// How two surfaces are held against each other.
 struct GapOptions
@@ -52,27 +38,15 @@ struct GapOptions
 /// round-off, while the integrals stay on one side, which keeps forces and
 /// moments of both sides in balance point by point. This is the mortar form of
 /// Guo & Spilker's Table 1, stable for displacements of order 2.
-struct GapOperators
+struct GapOperators : ContactCoverage
 {
    /// Multiplier x displacement true dofs, dimensionless.
    std::unique_ptr<mfem::HypreParMatrix> gap;
    /// Multiplier x pressure true dofs, dimensionless.
    std::unique_ptr<mfem::HypreParMatrix> jump;
-   /// Source vertices x destination vertices (both as multiplier true dofs):
-   /// int psi_k phi_j, area of source vertex k that destination vertex j
-   /// covers.
-   std::unique_ptr<mfem::HypreParMatrix> coverage;
    /// Gap of the undeformed surfaces between the points that see each other
    /// (length).
    mfem::Vector gap_offset;
-   /// a_j (area).
-   mfem::Vector area;
-   /// int phi_j n, by component (area).
-   std::array<mfem::Vector, 3> normal_area;
-   /// Mean size of the destination faces around a vertex (length).
-   mfem::Vector face_size;
-   /// Of this rank's destination faces that hit.
-   std::vector<FaceCoverage> face_coverage;
 };
 
 /// Collective. Searches from @a destination to @a source, both in their current

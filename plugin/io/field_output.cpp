@@ -40,7 +40,7 @@ public:
    Surface(const std::string &directory, const ContactPair &pair_,
            ParMesh &mesh, BiphasicSpaces &spaces, bool append)
       : pair(pair_), surface(ParSubMesh::CreateFromBoundary(
-                        mesh, pair.DestinationBoundary())),
+                        mesh, pair.Destination().Boundary())),
         elements(1, 2), space(&surface, &elements),
         parent(&spaces.Multiplier()), pressure(&space), gap(&space),
         status(&space),
@@ -53,10 +53,10 @@ public:
 
    void Save(int cycle, real_t time)
    {
-      Transfer(pair.Traction(), pressure);
+      Transfer(pair.State().traction, pressure);
       pressure.Neg();
-      Transfer(pair.Gap(), gap);
-      Transfer(pair.Status(), status);
+      Transfer(pair.State().gap, gap);
+      Transfer(pair.State().Touching(), status);
       output.Save(cycle, time);
    }
 

@@ -1,4 +1,5 @@
 #include "synovia/io/step_diagnostics.hpp"
+#include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ void AddSprings(History::Row &row, BiphasicProblem &problem,
 void AddContact(History::Row &row, const ContactPair &pair)
 {
    const std::string prefix = "contact." + pair.Name() + ".";
-   const ContactPair::Diagnostics now = pair.Diagnose();
+   const ContactDiagnostics now = Diagnose(pair);
    const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
    AddPoint(row, prefix + "force_", now.destination_force);
    AddPoint(row, prefix + "source_force_", now.source_force);

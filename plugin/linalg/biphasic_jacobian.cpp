@@ -77,7 +77,7 @@ void BiphasicJacobian::ContactMoved()
    {
       for (const ContactPair *pair : pairs)
       {
-         reduced_gaps.push_back(rigid->Reduce(*pair->Operators().gap));
+         reduced_gaps.push_back(rigid->Reduce(*pair->Factors().gap));
       }
    }
 }
@@ -101,7 +101,7 @@ void BiphasicJacobian::MultDisplacement(const Vector &x, Vector &y) const
    matrices.stiffness->Mult(u_free, y);
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      AddContact(Gap(i), pairs[i]->GapWeights(), 1.0, u_free, y);
+      AddContact(Gap(i), *pairs[i]->Factors().gap_weights, 1.0, u_free, y);
    }
    CopyEntries(u_dofs, x, y);
 }
@@ -127,8 +127,8 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    flow->Mult(-1.0, p_free, 0.0, y_p);
    for (const ContactPair *pair : pairs)
    {
-      AddContact(*pair->Operators().jump, pair->JumpWeights(), -dt, p_free,
-                 y_p);
+      AddContact(*pair->Factors().jump, *pair->Factors().jump_weights, -dt,
+                 p_free, y_p);
    }
    // MultDisplacement leaves x_u with zeros at prescribed dofs in u_free.
    MultDisplacement(x_u, y_u);
@@ -163,7 +163,7 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
    for (const ContactPair *pair : pairs)
    {
       const auto contact =
-         WeightedSquare(*pair->Operators().jump, pair->JumpWeights());
+         WeightedSquare(*pair->Factors().jump, *pair->Factors().jump_weights);
       block.reset(Add(1.0, *block, dt, *contact));
    }
    return block;
@@ -200,7 +200,7 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
    std::vector<Vector> gap_weights;
    for (const ContactPair *pair : pairs)
    {
-      gap_weights.push_back(pair->GapWeights());
+      gap_weights.push_back(*pair->Factors().gap_weights);
    }
    const std::unique_ptr<HypreParMatrix> stiffness =
       DisplacementBlock(gap_weights);

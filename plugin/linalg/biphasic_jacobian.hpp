@@ -73,7 +73,7 @@ public:
    /// Gap operator G of a pair, for reduced displacements.
    const mfem::HypreParMatrix &Gap(std::size_t pair) const
    {
-      return reduced_gaps.empty() ? *pairs[pair]->Operators().gap
+      return reduced_gaps.empty() ? *pairs[pair]->Factors().gap
                                   : *reduced_gaps[pair];
    }
    const VolumeMatrices &Volume() const { return matrices; }

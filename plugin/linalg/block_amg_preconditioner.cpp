@@ -61,7 +61,7 @@ std::vector<const HypreParMatrix *> Jumps(const BiphasicJacobian &jacobian)
    std::vector<const HypreParMatrix *> jumps;
    for (const ContactPair *pair : jacobian.Pairs())
    {
-      jumps.push_back(pair->Operators().jump.get());
+      jumps.push_back(pair->Factors().jump);
    }
    return jumps;
 }
@@ -184,11 +184,11 @@ void BlockAmgPreconditioner::Update()
    const bool gaps_changed =
       TakeWeights(jacobian.Pairs(), comm, gap_weights,
                   [](const ContactPair &pair) -> const Vector &
-                  { return pair.GapWeights(); });
+                  { return *pair.Factors().gap_weights; });
    const bool jumps_changed =
       TakeWeights(jacobian.Pairs(), comm, jump_weights,
                   [](const ContactPair &pair) -> const Vector &
-                  { return pair.JumpWeights(); });
+                  { return *pair.Factors().jump_weights; });
    UpdateDisplacement(gaps_changed);
    UpdatePressure(jumps_changed);
    moved = false;
@@ -199,7 +199,13 @@ std::vector<Vector> BlockAmgPreconditioner::SoftWeights() const
    std::vector<Vector> weights;
    for (const ContactPair *pair : jacobian.Pairs())
    {
-      weights.push_back(pair->SoftGapWeights());
+      const ContactFactors factors = pair->Factors();
+      weights.push_back(*factors.gap_weights);
+      for (int j = 0; j < weights.back().Size(); j++)
+      {
+         weights.back()[j] =
+            std::min(weights.back()[j], (*factors.gap_resistance)[j]);
+      }
    }
    return weights;
 }

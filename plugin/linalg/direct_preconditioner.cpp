@@ -105,10 +105,10 @@ DirectPreconditioner::FindChanges() const
    for (size_t i = 0; i < jacobian.Pairs().size(); i++)
    {
       const ContactPair &pair = *jacobian.Pairs()[i];
-      compare(pair.GapWeights(), gap_weights[i], 1.0, jacobian.Gap(i), gap_row,
-              i);
-      compare(pair.JumpWeights(), jump_weights[i], -jacobian.TimeStep(),
-              *pair.Operators().jump, jump_row, i);
+      compare(*pair.Factors().gap_weights, gap_weights[i], 1.0, jacobian.Gap(i),
+              gap_row, i);
+      compare(*pair.Factors().jump_weights, jump_weights[i],
+              -jacobian.TimeStep(), *pair.Factors().jump, jump_row, i);
    }
    const HYPRE_BigInt first = jacobian.Volume().darcy->RowPart()[0];
    const auto add_missing =
@@ -156,8 +156,8 @@ void DirectPreconditioner::Factorize()
    jump_weights.clear();
    for (const ContactPair *pair : jacobian.Pairs())
    {
-      gap_weights.push_back(pair->GapWeights());
-      jump_weights.push_back(pair->JumpWeights());
+      gap_weights.push_back(*pair->Factors().gap_weights);
+      jump_weights.push_back(*pair->Factors().jump_weights);
    }
    outdated = false;
    moved = false;
@@ -185,7 +185,7 @@ const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
    {
       const HypreParMatrix &whole =
          kind == gap_row ? jacobian.Gap(pair)
-                         : *jacobian.Pairs()[pair]->Operators().jump;
+                         : *jacobian.Pairs()[pair]->Factors().jump;
       const std::unique_ptr<HypreParMatrix> transpose(whole.Transpose());
       SparseMatrix mine;
       transpose->MergeDiagAndOffd(mine);

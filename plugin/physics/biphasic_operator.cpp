@@ -72,7 +72,7 @@ BiphasicOperator::BiphasicOperator(
    const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
    for (ContactPair *pair : pairs)
    {
-      pair->SetHeldPressures(held);
+      pair->Enforcement().SetHeldPressures(held);
       contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
       contact_pressure_dofs.Append(pair->Destination().PressureTrueDofs());
    }
@@ -164,7 +164,7 @@ void BiphasicOperator::AcceptStep()
    accepted.drained = jacobian->PressureDofs();
    for (ContactPair *pair : pairs)
    {
-      pair->Accept();
+      pair->Enforcement().Accept();
    }
 }
 
@@ -173,7 +173,7 @@ void BiphasicOperator::ForgetRate()
    rate = 0.0;
    for (ContactPair *pair : pairs)
    {
-      pair->ForgetPast();
+      pair->Enforcement().ForgetPast();
    }
 }
 
@@ -187,7 +187,7 @@ void BiphasicOperator::RejectStep()
    jacobian->SetPressureDofs(accepted.drained);
    for (ContactPair *pair : pairs)
    {
-      pair->Restore();
+      pair->Enforcement().Restore();
    }
 }
 
@@ -218,7 +218,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
       {
          for (ContactPair *pair : pairs)
          {
-            pair->LookAt(start.displacement);
+            pair->SearchAt(start.displacement);
          }
       }
    }
@@ -260,8 +260,9 @@ bool BiphasicOperator::UpdateContact(Stage &stage)
    unsettled.clear();
    for (ContactPair *pair : pairs)
    {
-      pair->Evaluate(stage.u, stage.p);
-      if (pair->UpdateActiveSet())
+      AugmentedLagrangian &enforcement = pair->Enforcement();
+      enforcement.Evaluate(stage.u, stage.p);
+      if (enforcement.UpdateActiveSet())
       {
          changed = true;
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
@@ -292,9 +293,8 @@ bool BiphasicOperator::CatchPushed(Stage &stage)
       stage.u.Add(distance, group.translation);
       for (ContactPair *pair : pairs)
       {
-         pair->Evaluate(stage.u, stage.p);
-         pair->AssumeTouching();
-         pair->UpdateActiveSet();
+         pair->Enforcement().Evaluate(stage.u, stage.p);
+         pair->Enforcement().UpdateActiveSet(TouchRule::nearness);
       }
       caught = true;
    }
@@ -342,8 +342,8 @@ void BiphasicOperator::UpdateDrainedDofs(Stage &stage)
    for (ContactPair *pair : pairs)
    {
       // Drained pressures changed what there is to jump.
-      pair->Evaluate(stage.u, stage.p);
-      pair->UpdateTractions();
+      pair->Enforcement().Evaluate(stage.u, stage.p);
+      pair->Enforcement().UpdateTractions();
    }
 }
 
@@ -370,20 +370,17 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    jacobian->SetTimeStep(stage.dt);
    for (ContactPair *pair : pairs)
    {
-      pair->SetTimeStep(stage.dt);
+      pair->Enforcement().SetTimeStep(stage.dt);
    }
 
    Search(stage);
    for (ContactPair *pair : pairs)
    {
-      pair->StartStage();
-      pair->Predict(stage.time);
-      pair->Evaluate(stage.u, stage.p);
-      if (!started)
-      {
-         pair->AssumeTouching();
-      }
-      pair->UpdateActiveSet();
+      AugmentedLagrangian &enforcement = pair->Enforcement();
+      enforcement.StartStage(stage.time);
+      enforcement.Evaluate(stage.u, stage.p);
+      enforcement.UpdateActiveSet(started ? TouchRule::traction
+                                          : TouchRule::nearness);
    }
    started = true;
    CatchPushed(stage);
@@ -397,10 +394,14 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       }
       const real_t peak = MaxOverRanks(
          stage.p.Size() > 0 ? stage.p.Normlinf() : 0.0, spaces.GetComm());
+      std::vector<ContactViolations> violations;
       bool done = true;
-      for (ContactPair *pair : pairs)
+      for (const ContactPair *pair : pairs)
       {
-         done = pair->Converged(peak) && done;
+         violations.push_back(pair->Enforcement().FindViolations());
+         done =
+            pair->Enforcement().IsWithinTolerance(violations.back(), peak) &&
+            done;
       }
       if (done)
       {
@@ -409,22 +410,24 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       if (augmentation == options.max_augmentations)
       {
          std::string left;
-         for (const ContactPair *pair : pairs)
+         for (size_t i = 0; i < pairs.size(); i++)
          {
-            const ContactPair::Diagnostics now = pair->Diagnose();
-            left += "; " + pair->Name() + ": gap " + ToText(now.penetration) +
-                    " (tolerance " + ToText(pair->GapTolerance()) +
-                    "), pressure jump " + ToText(now.pressure_jump) +
+            left += "; " + pairs[i]->Name() + ": gap " +
+                    ToText(violations[i].penetration) + " (tolerance " +
+                    ToText(pairs[i]->Scales().gap_tolerance) +
+                    "), pressure jump " + ToText(violations[i].pressure_jump) +
                     " (peak pressure " + ToText(peak) + ")";
          }
          return Fail("gap or pressure jump out of tolerance after " +
                      std::to_string(augmentation) + " augmentations" + left);
       }
       bool stiffened = false;
-      for (ContactPair *pair : pairs)
+      for (size_t i = 0; i < pairs.size(); i++)
       {
-         pair->Augment();
-         stiffened = pair->StiffenIfSlow(peak) || stiffened;
+         AugmentedLagrangian &enforcement = pairs[i]->Enforcement();
+         enforcement.Augment();
+         stiffened =
+            enforcement.StiffenIfSlow(violations[i], peak) || stiffened;
       }
       UpdateContact(stage);
       if (stiffened)
@@ -444,7 +447,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    }
    for (ContactPair *pair : pairs)
    {
-      pair->Store(stage.time);
+      pair->Enforcement().Store(stage.time);
    }
    return true;
 }

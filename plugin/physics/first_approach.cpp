@@ -52,7 +52,7 @@ public:
       {
          for (ContactPair *pair : pairs)
          {
-            pair->LookAsMeshed();
+            pair->SearchReference();
          }
       }
    }
@@ -179,7 +179,7 @@ Approach::Meeting Approach::FindNearest(const PushedBodies &group,
    Meeting nearest;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      pairs[i]->Evaluate(result.displacement, no_pressure);
+      pairs[i]->Enforcement().Evaluate(result.displacement, no_pressure);
       Clearance clearance = FindClearance(*pairs[i], group.translation);
       if (clearance.ahead == infinite)
       {
@@ -199,7 +199,7 @@ void Approach::Translate(real_t distance, const PushedBodies &group)
    result.displacement.Add(distance, group.translation);
    for (ContactPair *pair : pairs)
    {
-      pair->LookAt(result.displacement);
+      pair->SearchAt(result.displacement);
    }
 }
 
@@ -219,7 +219,7 @@ Approach::Meeting Approach::Meet(const PushedBodies &group)
          break;
       }
       meeting = {nearest.pair, gone};
-      const real_t near = pairs[nearest.pair]->GapTolerance();
+      const real_t near = pairs[nearest.pair]->Scales().gap_tolerance;
       const bool starts_in_touch =
          gone == 0.0 && clearance.touches && nearest.distance >= -near;
       // Out of an overlap, but not into another one.

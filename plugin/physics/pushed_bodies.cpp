@@ -16,12 +16,13 @@ bool PushedBodies::AreHeldBy(const std::vector<ContactPair *> &pairs) const
    for (const ContactPair *pair : pairs)
    {
       comm = pair->Source().Spaces().GetComm();
-      Vector closing(pair->Status().Size());
-      pair->Operators().gap->Mult(-1.0, translation, 0.0, closing);
+      const std::vector<VertexContact> &vertices = pair->State().vertices;
+      Vector closing(static_cast<int>(vertices.size()));
+      pair->Factors().gap_change->Mult(-1.0, translation, 0.0, closing);
       closing.HostRead();
       for (int j = 0; j < closing.Size(); j++)
       {
-         held = held || (pair->Status()[j] > 0.5 && closing[j] > slides);
+         held = held || (vertices[j].touches && closing[j] > slides);
       }
    }
    return AnyRank(held, comm);

@@ -1,6 +1,7 @@
 #include "synovia/physics/rigid_freedoms.hpp"
 #include "synovia/fem/null_space.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,12 +121,7 @@ DenseMatrix RigidFreedoms::OfDriven(BiphasicSpaces &spaces,
                                     const DrivenSurface &surface) const
 {
    // u - d q with the q that fits best.
-   Array<int> marker(spaces.GetMesh().bdr_attributes.Max());
-   marker = 0;
-   for (const int attribute : surface.boundary)
-   {
-      marker[attribute - 1] = 1;
-   }
+   const Array<int> marker = BoundaryMarker(spaces.GetMesh(), surface.boundary);
    const int size = per_body * motions.Bodies();
    DenseMatrix part(size);
    part = 0.0;
@@ -193,11 +189,11 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
    const int size = static_cast<int>(supports.Height());
    DenseMatrix part(size);
    part = 0.0;
-   const Vector &area = pair.Operators().area;
+   const Vector &area = pair.Coverage().area;
    Vector force(area.Size());
    for (int j = 0; j < force.Size(); j++)
    {
-      force[j] = std::max(0.0, -pair.Traction()[j] * area[j]);
+      force[j] = std::max(0.0, -pair.State().traction[j] * area[j]);
    }
    const real_t whole = synovia::SumOverRanks(force.Sum(), comm);
    if (!(whole > least_force))
@@ -210,8 +206,8 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
       for (int m = 0; m < per_body; m++)
       {
          rows.emplace_back(area.Size());
-         pair.Operators().gap->Mult(1.0, motions.Displacement(body, m), 0.0,
-                                    rows.back());
+         pair.Factors().gap->Mult(1.0, motions.Displacement(body, m), 0.0,
+                                  rows.back());
          rows.back().HostRead();
       }
    }

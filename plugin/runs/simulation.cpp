@@ -2,6 +2,7 @@
 #include "synovia/cases/case_mesh.hpp"
 #include "synovia/cases/contact_check.hpp"
 #include "synovia/checks/case_warnings.hpp"
+#include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/general/root_rank.hpp"
 #include "synovia/general/text.hpp"
 #include "synovia/general/version.hpp"
@@ -367,7 +368,7 @@ void Simulation::Finish()
    }
    for (const ContactPair *pair : problem.Get().Operator().Pairs())
    {
-      if (!pair->HasTouched())
+      if (!HasTouched(*pair))
       {
          Say("warning: contact pair \"" + pair->Name() +
              "\" never touched; are its surfaces, the gap between them and "

@@ -1,4 +1,5 @@
 #include "synovia/time/time_stepper.hpp"
+#include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/general/text.hpp"
 #include "synovia/time/sdirk2_solver.hpp"
@@ -343,7 +344,7 @@ StepReport TimeStepper::Step()
    {
       if (report.converged)
       {
-         report.contact_area += pair->Area();
+         report.contact_area += ContactArea(*pair);
       }
    }
    report.time = time;

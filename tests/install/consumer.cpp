@@ -64,8 +64,8 @@ int Run(int, char **)
          throw synovia::Error(report.reason);
       }
    }
-   const synovia::ContactPair::Diagnostics contact =
-      problem.Operator().Pairs().front()->Diagnose();
+   const synovia::ContactDiagnostics contact =
+      Diagnose(*problem.Operator().Pairs().front());
    const real_t force = contact.source_force[2];
    if (Mpi::Root())
    {

@@ -52,7 +52,7 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
       REQUIRE(report.converged);
       Row row;
       row.reaction = box.Force();
-      const ContactPair::Diagnostics contact = box.Pair().Diagnose();
+      const ContactDiagnostics contact = Diagnose(box.Pair());
       row.source_force = contact.source_force;
       row.peak_traction = contact.peak_traction;
       row.area = contact.area;

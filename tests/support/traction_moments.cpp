@@ -8,8 +8,8 @@ using namespace mfem;
 TractionMoments MeasureTraction(BiphasicProblem &problem)
 {
    const ContactPair &pair = *problem.Operator().Pairs().front();
-   const Vector &traction = pair.Traction();
-   const Vector &area = pair.Operators().area;
+   const Vector &traction = pair.State().traction;
+   const Vector &area = pair.Coverage().area;
    FunctionCoefficient squared([](const Vector &x)
                                { return x[0] * x[0] + x[1] * x[1]; });
    ParGridFunction field(&problem.Spaces().Multiplier());

@@ -4,6 +4,7 @@
 // covers: exact for linear functions, whose zero line is straight.
 
 #include "support/boxes.hpp"
+#include "synovia/contact/contact_area.hpp"
 #include "synovia/contact/gap_operators.hpp"
 #include "synovia/general/reduce.hpp"
 

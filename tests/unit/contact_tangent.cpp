@@ -71,7 +71,7 @@ public:
       pair->Search(x);
       // Multipliers that are not zero.
       Evaluate(state);
-      pair->Augment();
+      pair->Enforcement().Augment();
       Evaluate(state);
    }
 
@@ -99,8 +99,8 @@ public:
    // Says whether a vertex switched.
    bool Evaluate(const Vector &x)
    {
-      pair->Evaluate(Displacement(x), Pressure(x));
-      return pair->UpdateActiveSet();
+      pair->Enforcement().Evaluate(Displacement(x), Pressure(x));
+      return pair->Enforcement().UpdateActiveSet();
    }
 
    // The left sides, the mass balance with the sign of the Jacobian.
@@ -145,11 +145,11 @@ public:
    std::array<int, 3> Counts() const
    {
       std::array<int, 3> counts{{0, 0, 0}};
-      for (int j = 0; j < pair->Status().Size(); j++)
+      for (int j = 0; j < pair->Coverage().area.Size(); j++)
       {
-         counts[0] += pair->Status()[j] > 0.5;
-         counts[1] += pair->JumpWeights()[j] > 0.0;
-         counts[2] += pair->Operators().area[j] > 0.0;
+         counts[0] += pair->State().vertices[j].touches;
+         counts[1] += pair->State().jump_weights[j] > 0.0;
+         counts[2] += pair->Coverage().area[j] > 0.0;
       }
       MPI_Allreduce(MPI_IN_PLACE, counts.data(), 3, MPI_INT, MPI_SUM,
                     mesh.GetComm());

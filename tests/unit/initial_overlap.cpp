@@ -16,7 +16,7 @@ constexpr real_t overlap = 0.01;
 constexpr real_t young = 0.7;
 
 /// Force on the lower box after a step in which nothing is moved.
-ContactPair::Diagnostics Press(const ContactOptions &contact)
+ContactDiagnostics Press(const ContactOptions &contact)
 {
    BoxOptions lower;
    lower.nx = lower.ny = 3;
@@ -47,7 +47,7 @@ ContactPair::Diagnostics Press(const ContactOptions &contact)
    const StepReport report = stepper.Step();
    INFO(report.reason);
    REQUIRE(report.converged);
-   return problem.Operator().Pairs().front()->Diagnose();
+   return Diagnose(*problem.Operator().Pairs().front());
 }
 } // namespace
 
@@ -58,14 +58,14 @@ TEST_CASE("An initial overlap is pressed out, or measured from")
    {
       // Two boxes of height 1 share the shortening.
       const real_t force = young * overlap / 2.0;
-      const ContactPair::Diagnostics now = Press(contact);
+      const ContactDiagnostics now = Press(contact);
       CHECK(now.destination_force[2] == Approx(-force).epsilon(1e-3));
       CHECK(now.area == Approx(1.0));
    }
    SECTION("measured from")
    {
       contact.initial_overlap = InitialOverlap::remove;
-      const ContactPair::Diagnostics now = Press(contact);
+      const ContactDiagnostics now = Press(contact);
       CHECK(std::abs(now.destination_force[2]) < 1e-9);
    }
 }

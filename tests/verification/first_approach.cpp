@@ -105,8 +105,7 @@ Outcome Run(const Setup &setup, MPI_Comm comm = MPI_COMM_WORLD)
       INFO(report.reason);
       REQUIRE(report.converged);
    }
-   const ContactPair::Diagnostics now =
-      problem.Operator().Pairs().front()->Diagnose();
+   const ContactDiagnostics now = Diagnose(*problem.Operator().Pairs().front());
    outcome.travel = problem.Operator()
                        .Rigid()
                        .GetTravel(stepper.State().GetBlock(0))

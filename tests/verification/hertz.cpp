@@ -163,7 +163,7 @@ Errors Solve(int lower_cells, int upper_cells)
    REQUIRE(report.converged);
 
    const ContactPair &pair = *problem.Operator().Pairs().front();
-   const ContactPair::Diagnostics now = pair.Diagnose();
+   const ContactDiagnostics now = Diagnose(pair);
    CHECK(stepper.Pressure().Normlinf() < 1e-6 * now.peak_traction);
    const Hertz hertz;
    Errors errors;

@@ -92,7 +92,7 @@ Outcome Run(const Press &press)
       outcome.reason = stepper.Step().reason;
    }
    outcome.steps = stepper.Steps();
-   outcome.touched = problem.Operator().Pairs().front()->HasTouched();
+   outcome.touched = HasTouched(*problem.Operator().Pairs().front());
    return outcome;
 }
 } // namespace

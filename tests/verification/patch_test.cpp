@@ -150,8 +150,8 @@ Errors Solve(const Patch &patch)
    const ContactPair &pair = *problem.Operator().Pairs().front();
    for (const int j : pair.Destination().MultiplierTrueDofs())
    {
-      errors.traction = std::max(errors.traction,
-                                 std::abs(pair.Traction()[j] / traction - 1.0));
+      errors.traction = std::max(
+         errors.traction, std::abs(pair.State().traction[j] / traction - 1.0));
    }
    errors.traction = MaxOver(comm, errors.traction);
 
@@ -183,7 +183,7 @@ Errors Solve(const Patch &patch)
       p_error -= stepper.Pressure();
       errors.pressure = MaxOver(comm, p_error.Normlinf()) / patch.top_pressure;
    }
-   const ContactPair::Diagnostics forces = pair.Diagnose();
+   const ContactDiagnostics forces = Diagnose(pair);
    if (slope != 0.0)
    {
       errors.flux =

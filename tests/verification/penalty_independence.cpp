@@ -88,8 +88,8 @@ Outcome Solve(int order, int level, real_t factor)
       const StepReport report = stepper.Step();
       CAPTURE(report.reason, report.time);
       REQUIRE(report.converged);
-      const ContactPair::Diagnostics found =
-         problem.Operator().Pairs().front()->Diagnose();
+      const ContactDiagnostics found =
+         Diagnose(*problem.Operator().Pairs().front());
       const Vector &p = stepper.State().GetBlock(1);
       real_t peak = p.Size() > 0 ? p.Normlinf() : 0.0;
       MPI_Allreduce(MPI_IN_PLACE, &peak, 1, MPITypeMap<real_t>::mpi_type,

@@ -94,9 +94,9 @@ Fields Solve(const Motion &motion)
    const ContactPair &pair = *problem.Operator().Pairs().front();
    const Vector &u = stepper.State().GetBlock(0);
    return {
-      stepper.State().GetBlock(1), pair.Traction(),
+      stepper.State().GetBlock(1), pair.State().traction,
       MaxOverRanks(u.Size() > 0 ? u.Normlinf() : 0.0, problem.Mesh().GetComm()),
-      pair.Diagnose().area};
+      ContactArea(pair)};
 }
 
 real_t LargestDifference(const Vector &a, const Vector &b)

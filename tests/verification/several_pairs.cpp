@@ -191,8 +191,8 @@ TEST_CASE("A surface is destination in one pair and source in another")
       REQUIRE(report.converged);
    }
    const std::vector<ContactPair *> &pairs = problem.Operator().Pairs();
-   const ContactPair::Diagnostics on_left = pairs[0]->Diagnose();
-   const ContactPair::Diagnostics on_right = pairs[1]->Diagnose();
+   const ContactDiagnostics on_left = Diagnose(*pairs[0]);
+   const ContactDiagnostics on_right = Diagnose(*pairs[1]);
    const real_t force = -on_left.destination_force[2];
    REQUIRE(force > 1e-3);
    // Which side is integrated over matters as much as the mesh does.

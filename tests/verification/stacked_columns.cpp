@@ -146,7 +146,7 @@ std::vector<real_t> TwoColumns(const Materials &materials, Element::Type type,
       REQUIRE(report.converged);
       reactions.push_back(problem.Reaction(problem.Supports().back())[2]);
       const ContactPair &pair = *problem.Operator().Pairs().front();
-      const ContactPair::Diagnostics contact = pair.Diagnose();
+      const ContactDiagnostics contact = Diagnose(pair);
       CHECK(contact.area == Approx(side * side));
       CHECK(contact.penetration <= 1e-4 * height);
       CHECK(std::abs(contact.source_force[2] + contact.destination_force[2]) <=

@@ -170,7 +170,7 @@ struct Contact
 Contact Measure(BiphasicProblem &problem)
 {
    const TractionMoments moments = MeasureTraction(problem);
-   const real_t area = problem.Operator().Pairs().front()->Area();
+   const real_t area = ContactArea(*problem.Operator().Pairs().front());
    return {4.0 * moments.force, std::sqrt(4.0 * moments.mean_square_radius),
            std::sqrt(4.0 * area / pi)};
 }

@@ -1,0 +1,248 @@
+#include "synovia/contact/augmented_lagrangian.hpp"
+#include "synovia/contact/frictionless_law.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/reduce_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// A destination vertex seals only where the source covers it all around: one at
+// the rim of the source touches the free-draining surface, where p = 0.
+constexpr real_t sealing_coverage = 0.75;
+} // namespace
+
+AugmentedLagrangian::AugmentedLagrangian(ContactConstraint &constraint_,
+                                         const ContactSurface &destination_,
+                                         const Vector &vertex_areas_,
+                                         const ContactScales &scales,
+                                         const ContactOptions &options_)
+   : constraint(constraint_), destination(destination_),
+     vertex_areas(vertex_areas_), options(options_),
+     gap_tolerance(scales.gap_tolerance), pressure_held(vertex_areas.Size()),
+     penalties(options, scales, vertex_areas), state(vertex_areas.Size()),
+     accepted(state)
+{
+   pressure_held = false;
+}
+
+void AugmentedLagrangian::SetHeldPressures(const Array<int> &vertices)
+{
+   pressure_held = false;
+   for (const int vertex : vertices)
+   {
+      pressure_held[vertex] = true;
+   }
+}
+
+void AugmentedLagrangian::SetTimeStep(real_t dt)
+{
+   if (penalties.SetTimeStep(dt))
+   {
+      UpdatePenalties();
+   }
+}
+
+void AugmentedLagrangian::UpdatePenalties()
+{
+   const ContactCoverage &coverage = constraint.Coverage();
+   if (coverage.area.Size() == vertex_areas.Size())
+   {
+      penalties.Update(coverage, state.stiffening);
+   }
+}
+
+void AugmentedLagrangian::StartStage(real_t time)
+{
+   constexpr real_t infinite = std::numeric_limits<real_t>::infinity();
+   last = {infinite, infinite};
+   for (VertexContact &vertex : state.vertices)
+   {
+      vertex.seal_broke = false;
+   }
+   phase = Phase::prediction;
+   state.history.Predict(time, state.multiplier, state.flux_multiplier);
+}
+
+void AugmentedLagrangian::Evaluate(const Vector &u, const Vector &p)
+{
+   constraint.Evaluate(u, p, state.gap, state.jump, state.pressure);
+}
+
+real_t AugmentedLagrangian::TouchingGap() const
+{
+   const ContactCoverage &coverage = constraint.Coverage();
+   real_t nearest = std::numeric_limits<real_t>::infinity();
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      if (coverage.area[j] > 0.0 && state.gap[j] < coverage.GrazingGap(j))
+      {
+         nearest = std::min(nearest, state.gap[j]);
+      }
+   }
+   nearest = -MaxOverRanks(-nearest, destination.Spaces().GetComm());
+   return std::isfinite(nearest) ? std::max(gap_tolerance, nearest)
+                                 : gap_tolerance;
+}
+
+bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
+{
+   const Vector &area = constraint.Coverage().area;
+   const Vector &penalty = penalties.Gap();
+   const Vector &resistance = penalties.Resistance();
+   const real_t touching = rule == TouchRule::nearness
+                              ? TouchingGap()
+                              : -std::numeric_limits<real_t>::infinity();
+   bool changed = false;
+   for (int j = 0; j < area.Size(); j++)
+   {
+      const VertexContact before = state.vertices[j];
+      VertexContact &vertex = state.vertices[j];
+      // A predicted gap is off by more than what penetrates.
+      const real_t stiffness = phase == Phase::prediction
+                                  ? std::min(penalty[j], resistance[j])
+                                  : penalty[j];
+      const real_t trial = FrictionlessLaw::Traction(state.multiplier[j],
+                                                     stiffness, state.gap[j]);
+      vertex.touches =
+         area[j] > 0.0 &&
+         (FrictionlessLaw::Bears(trial) || state.gap[j] <= touching ||
+          (phase == Phase::augmentation && before.touches));
+      vertex.seals = area[j] > sealing_coverage * vertex_areas[j] &&
+                     (vertex.touches || state.gap[j] < gap_tolerance ||
+                      (before.seals && before.seal_broke));
+      vertex.seal_broke = before.seal_broke || (before.seals && !vertex.seals);
+      changed = changed || vertex.touches != before.touches ||
+                vertex.seals != before.seals;
+      state.gap_weights[j] = vertex.touches ? area[j] * penalty[j] : 0.0;
+      state.jump_weights[j] =
+         Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
+   }
+   phase = Phase::iteration;
+   UpdateTractions();
+   return AnyRank(changed, destination.Spaces().GetComm());
+}
+
+void AugmentedLagrangian::UpdateTractions()
+{
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      state.traction[j] =
+         state.vertices[j].touches
+            ? FrictionlessLaw::Traction(state.multiplier[j], penalties.Gap()[j],
+                                        state.gap[j])
+            : 0.0;
+      state.flux[j] =
+         Exchanges(j)
+            ? FrictionlessLaw::Flux(state.flux_multiplier[j],
+                                    penalties.Jump()[j], state.jump[j])
+            : 0.0;
+   }
+}
+
+ContactViolations AugmentedLagrangian::FindViolations() const
+{
+   std::vector<real_t> worst(2, 0.0);
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      if (state.vertices[j].touches)
+      {
+         worst[0] = std::max(worst[0], std::abs(state.gap[j]));
+      }
+      if (Exchanges(j))
+      {
+         worst[1] = std::max(worst[1], std::abs(state.jump[j]));
+      }
+   }
+   MaxOverRanks(worst, destination.Spaces().GetComm());
+   return {worst[0], worst[1]};
+}
+
+bool AugmentedLagrangian::IsWithinTolerance(const ContactViolations &violations,
+                                            real_t peak_pressure) const
+{
+   return violations.penetration <= gap_tolerance &&
+          violations.pressure_jump <=
+             options.pressure_tolerance * peak_pressure;
+}
+
+void AugmentedLagrangian::Augment()
+{
+   TakeMultipliers();
+   phase = Phase::augmentation;
+}
+
+void AugmentedLagrangian::TakeMultipliers()
+{
+   state.multiplier = state.traction;
+   state.flux_multiplier = state.flux;
+}
+
+bool AugmentedLagrangian::StiffenIfSlow(const ContactViolations &violations,
+                                        real_t peak_pressure)
+{
+   // What an augmentation should at least do (Simo & Laursen, Comput Struct
+   // 42:97-116, 1992), and how far penalties may go before round-off matters.
+   constexpr real_t slow = 0.25;
+   constexpr real_t raise = 10.0;
+   constexpr real_t most = 1e4;
+   bool raised = false;
+   const auto check =
+      [&](real_t value, real_t tolerance, real_t &last_value, real_t &factor)
+   {
+      if (value > tolerance && value > slow * last_value && factor < most)
+      {
+         factor *= raise;
+         raised = true;
+      }
+      last_value = value;
+   };
+   check(violations.penetration, gap_tolerance, last.penetration,
+         state.stiffening.gap);
+   check(violations.pressure_jump, options.pressure_tolerance * peak_pressure,
+         last.pressure_jump, state.stiffening.jump);
+   if (raised)
+   {
+      UpdatePenalties();
+   }
+   return raised;
+}
+
+void AugmentedLagrangian::Store(real_t time)
+{
+   TakeMultipliers();
+   state.history.Store(time, state.multiplier, state.flux_multiplier);
+}
+
+void AugmentedLagrangian::Accept()
+{
+   state.touched =
+      state.touched || std::any_of(state.traction.begin(), state.traction.end(),
+                                   FrictionlessLaw::Bears);
+   accepted = state;
+}
+
+void AugmentedLagrangian::Restore()
+{
+   state = accepted;
+   UpdatePenalties();
+}
+
+void AugmentedLagrangian::Archive(StateArchive &archive,
+                                  const std::string &prefix)
+{
+   accepted.Archive(archive, prefix, destination);
+   if (archive.Reads())
+   {
+      Restore();
+   }
+}
+
+} // namespace synovia

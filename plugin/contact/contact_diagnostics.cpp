@@ -1,0 +1,143 @@
+#include "synovia/contact/contact_diagnostics.hpp"
+#include "synovia/contact/contact_area.hpp"
+#include "synovia/general/reduce.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// What it takes to close a gap, of what the softer body resists alone: half
+// of it gives way on each side.
+constexpr real_t closing_part = 0.5;
+
+Point3 SumOverRanks(Point3 value, MPI_Comm comm)
+{
+   MPI_Allreduce(MPI_IN_PLACE, value.data(), 3, MPITypeMap<real_t>::mpi_type,
+                 MPI_SUM, comm);
+   return value;
+}
+
+Point3 SumOfDofs(const Vector &force, const Array<int> &dofs, MPI_Comm comm)
+{
+   Point3 sum{{0.0, 0.0, 0.0}};
+   for (const int dof : dofs)
+   {
+      sum[dof % 3] += force[dof];
+   }
+   return SumOverRanks(sum, comm);
+}
+
+// About the origin.
+Point3 SumOfMoments(const Vector &force, const Vector &position,
+                    const Array<int> &dofs, MPI_Comm comm)
+{
+   Point3 sum{{0.0, 0.0, 0.0}};
+   for (const int dof : dofs)
+   {
+      const int x = dof - dof % 3;
+      Point3 single{{0.0, 0.0, 0.0}};
+      single[dof % 3] = force[dof];
+      sum = Sum(sum, 1.0,
+                Cross({position[x], position[x + 1], position[x + 2]}, single));
+   }
+   return SumOverRanks(sum, comm);
+}
+
+real_t FluidLoadSupport(const ContactPair &pair)
+{
+   const ContactState &state = pair.State();
+   const std::array<Vector, 3> &normal_area = pair.Coverage().normal_area;
+   Point3 total{{0.0, 0.0, 0.0}};
+   Point3 fluid{{0.0, 0.0, 0.0}};
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         total[d] += state.traction[j] * normal_area[d][j];
+         if (state.vertices[j].touches)
+         {
+            fluid[d] -= state.pressure[j] * normal_area[d][j];
+         }
+      }
+   }
+   MPI_Comm comm = pair.Source().Spaces().GetComm();
+   total = SumOverRanks(total, comm);
+   fluid = SumOverRanks(fluid, comm);
+   const real_t square = Dot(total, total);
+   return square > 0.0 ? Dot(fluid, total) / square : 0.0;
+}
+} // namespace
+
+real_t ContactArea(const ContactPair &pair)
+{
+   const ContactState &state = pair.State();
+   const Vector &resistance = pair.Enforcement().Penalties().Resistance();
+   const std::vector<FaceCoverage> &coverage = pair.Coverage().face_coverage;
+   Vector stress = VertexMeans(pair.Destination(), coverage, state.traction);
+   for (int j = 0; j < stress.Size(); j++)
+   {
+      if (!state.vertices[j].touches)
+      {
+         stress[j] +=
+            closing_part * resistance[j] * std::max<real_t>(state.gap[j], 0.0);
+      }
+   }
+   return NegativeArea(pair.Destination(), coverage, stress);
+}
+
+bool HasTouched(const ContactPair &pair)
+{
+   return AnyRank(pair.State().touched, pair.Source().Spaces().GetComm());
+}
+
+ContactDiagnostics Diagnose(const ContactPair &pair)
+{
+   const BiphasicSpaces &spaces = pair.Source().Spaces();
+   MPI_Comm comm = spaces.GetComm();
+   ContactDiagnostics result;
+   Vector momentum(spaces.Offsets()[1]);
+   Vector mass(spaces.Offsets()[2] - spaces.Offsets()[1]);
+   momentum = 0.0;
+   mass = 0.0;
+   pair.AddForces(momentum, mass);
+   momentum.HostRead();
+   const Vector &positions = pair.Geometry().Positions();
+   positions.HostRead();
+   const Array<int> &source_dofs = pair.Source().DisplacementTrueDofs();
+   const Array<int> &destination_dofs =
+      pair.Destination().DisplacementTrueDofs();
+   result.source_force = SumOfDofs(momentum, source_dofs, comm);
+   result.destination_force = SumOfDofs(momentum, destination_dofs, comm);
+   result.source_moment = SumOfMoments(momentum, positions, source_dofs, comm);
+   result.destination_moment =
+      SumOfMoments(momentum, positions, destination_dofs, comm);
+   result.fluid_load_support = FluidLoadSupport(pair);
+   result.area = ContactArea(pair);
+   const ContactViolations violations = pair.Enforcement().FindViolations();
+   result.penetration = violations.penetration;
+   result.pressure_jump = violations.pressure_jump;
+   const ContactState &state = pair.State();
+   real_t exchange = 0.0;
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      result.peak_traction = std::max(result.peak_traction, -state.traction[j]);
+      if (state.vertices[j].seals)
+      {
+         result.peak_pressure =
+            std::max(result.peak_pressure, state.pressure[j]);
+      }
+      exchange += pair.Coverage().area[j] * state.flux[j];
+   }
+   result.fluid_exchange = SumOverRanks(exchange, comm);
+   result.peak_traction = MaxOverRanks(result.peak_traction, comm);
+   result.peak_pressure = MaxOverRanks(result.peak_pressure, comm);
+   return result;
+}
+
+} // namespace synovia

@@ -1,0 +1,108 @@
+#include "synovia/contact/contact_geometry.hpp"
+#include "synovia/fem/node_positions.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// A destination vertex of which the source covers less than this is left out:
+// the sliver could bear only a needle of traction.
+constexpr real_t least_coverage = 0.05;
+} // namespace
+
+ContactGeometry::ContactGeometry(const std::string &pair_,
+                                 BiphasicSpaces &spaces,
+                                 const Array<int> &source_boundary,
+                                 const Array<int> &destination_boundary,
+                                 const ContactScales &scales,
+                                 const ContactOptions &contact)
+   : pair(pair_), comm(spaces.GetComm()), source(spaces, source_boundary),
+     destination(spaces, destination_boundary),
+     overlap_limit(scales.overlap_limit), source_areas(NodalAreas(source)),
+     destination_areas(NodalAreas(destination)),
+     reference_positions(NodePositions(spaces.Displacement())),
+     positions(reference_positions)
+{
+   options.search_radius = scales.search_radius;
+   options.quadrature_order = contact.quadrature_order;
+   options.normal = contact.normal;
+   int shared = 0;
+   for (const int dof : source.MultiplierTrueDofs())
+   {
+      shared += destination.MultiplierTrueDofs().FindSorted(dof) >= 0;
+   }
+   if (AnyRank(shared > 0, comm))
+   {
+      throw Error("contact pair \"" + pair +
+                  "\": source and destination share vertices; the two bodies "
+                  "must have meshes of their own, without common nodes");
+   }
+}
+
+void ContactGeometry::SetDisplacement(const Vector &u)
+{
+   u.HostRead();
+   source.SetDisplacement(u);
+   destination.SetDisplacement(u);
+   add(reference_positions, u, positions);
+}
+
+GapOperators ContactGeometry::Search() const
+{
+   GapOperators operators = AssembleGapOperators(source, destination, options);
+   for (int j = 0; j < operators.area.Size(); j++)
+   {
+      if (operators.area[j] < least_coverage * destination_areas[j])
+      {
+         operators.area[j] = 0.0;
+      }
+   }
+   return operators;
+}
+
+void ContactGeometry::VerifyReach(const ContactCoverage &coverage) const
+{
+   if (!(SumOverRanks(coverage.area.Sum(), comm) > 0.0))
+   {
+      throw Error("contact pair \"" + pair +
+                  "\": looking along the normals of the destination, no point "
+                  "of the source is within the search radius of " +
+                  ToText(options.search_radius) +
+                  "; check the names of the surfaces and the initial gap, or "
+                  "give a larger search_radius");
+   }
+}
+
+Vector ContactGeometry::FindOverlap(const ContactCoverage &coverage,
+                                    const Vector &gap) const
+{
+   Vector overlap(gap.Size());
+   for (int j = 0; j < gap.Size(); j++)
+   {
+      overlap[j] = coverage.area[j] > 0.0 ? std::max(0.0, -gap[j]) : 0.0;
+   }
+   const real_t deepest =
+      MaxOverRanks(overlap.Size() > 0 ? overlap.Max() : 0.0, comm);
+   if (deepest > overlap_limit)
+   {
+      throw Error("contact pair \"" + pair +
+                  "\": the surfaces overlap by up "
+                  "to " +
+                  ToText(deepest) +
+                  " as meshed, more than "
+                  "overlap_limit = " +
+                  ToText(overlap_limit) +
+                  "; move the bodies apart in the mesh, or allow for more");
+   }
+   return overlap;
+}
+
+} // namespace synovia

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "synovia/contact/contact_scales.hpp"
+#include "synovia/contact/gap_operators.hpp"
+
+namespace synovia
+{
+
+/// The two surfaces of a contact pair: where they are, whom they meet, and
+/// whether that can be what was meant.
+class ContactGeometry
+{
+public:
+   /// Collective. Borrows @a spaces. Throws Error that names the @a pair if the
+   /// surfaces share a vertex.
+   ContactGeometry(const std::string &pair, BiphasicSpaces &spaces,
+                   const mfem::Array<int> &source_boundary,
+                   const mfem::Array<int> &destination_boundary,
+                   const ContactScales &scales, const ContactOptions &options);
+
+   const ContactSurface &Source() const { return source; }
+   const ContactSurface &Destination() const { return destination; }
+   /// Areas of the surfaces' vertices, whatever meets them (area).
+   const mfem::Vector &SourceAreas() const { return source_areas; }
+   const mfem::Vector &DestinationAreas() const { return destination_areas; }
+   /// Of the displacement's nodes, at the last SetDisplacement() (true dofs,
+   /// length).
+   const mfem::Vector &Positions() const { return positions; }
+
+   /// Moves the surfaces to displacement @a u (true dofs). Collective.
+   void SetDisplacement(const mfem::Vector &u);
+   /// Lets the surfaces search for each other where they are. Vertices of which
+   /// the source covers next to nothing are left out. Collective.
+   GapOperators Search() const;
+
+   /// Throws Error if no vertex sees the source. Collective.
+   void VerifyReach(const ContactCoverage &coverage) const;
+   /// How deep the vertices that see the source are in it, for a @a gap as
+   /// meshed; throws Error if that is beyond the limit. Collective.
+   mfem::Vector FindOverlap(const ContactCoverage &coverage,
+                            const mfem::Vector &gap) const;
+
+private:
+   std::string pair;
+   MPI_Comm comm;
+   ContactSurface source;
+   ContactSurface destination;
+   GapOptions options;
+   mfem::real_t overlap_limit;
+   mfem::Vector source_areas;
+   mfem::Vector destination_areas;
+   mfem::Vector reference_positions;
+   mfem::Vector positions;
+};
+
+} // namespace synovia

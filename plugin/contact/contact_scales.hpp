@@ -1,0 +1,31 @@
+#pragma once
+
+#include "synovia/contact/contact_options.hpp"
+#include "synovia/materials/material_table.hpp"
+
+namespace synovia
+{
+
+/// What a contact pair is measured by: given by its options, or derived from
+/// the bodies behind its surfaces.
+struct ContactScales
+{
+   /// H_A of the softer side (stress).
+   mfem::real_t softest_modulus = 0.0;
+   /// kappa of the less permeable side (length^2 / stress / time).
+   mfem::real_t least_permeability = 0.0;
+   /// See ContactOptions (length).
+   mfem::real_t gap_tolerance = 0.0;
+   mfem::real_t overlap_limit = 0.0;
+   mfem::real_t search_radius = 0.0;
+};
+
+/// Collective. Throws Error that names the @a pair if one of its surfaces has
+/// no faces.
+ContactScales FindContactScales(const std::string &pair, mfem::ParMesh &mesh,
+                                const MaterialTable &materials,
+                                const mfem::Array<int> &source_boundary,
+                                const mfem::Array<int> &destination_boundary,
+                                const ContactOptions &options);
+
+} // namespace synovia

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mfem.hpp"
+
+#include <array>
+
+namespace synovia
+{
+
+/// Multipliers of gap and jump at two times, the later one second, and what
+/// they may become.
+struct MultiplierHistory
+{
+   /// Keeps the multipliers as those reached at @a now.
+   void Store(mfem::real_t now, const mfem::Vector &traction_,
+              const mfem::Vector &flux_);
+   /// Extrapolates to time @a then, as far as there are two to go on from; no
+   /// traction becomes tensile.
+   void Predict(mfem::real_t then, mfem::Vector &traction_,
+                mfem::Vector &flux_) const;
+   /// Leaves one time to predict from: multipliers will change otherwise than
+   /// they did.
+   void ForgetPast() { time[0] = time[1]; }
+
+   std::array<mfem::real_t, 2> time{{0.0, 0.0}};
+   std::array<mfem::Vector, 2> traction;
+   std::array<mfem::Vector, 2> flux;
+};
+
+} // namespace synovia
