@@ -16,6 +16,7 @@ install(DIRECTORY scripts/lib DESTINATION ${synovia_data_dir}/scripts
   FILES_MATCHING PATTERN "*.py" PATTERN "common.sh" PATTERN "packages.sh"
   PATTERN "python.sh" PATTERN "run.env" PATTERN "benchmark_*" EXCLUDE
   PATTERN "case_*" EXCLUDE PATTERN "find_mfem" EXCLUDE
+  PATTERN "histories.py" EXCLUDE
   PATTERN "__pycache__" EXCLUDE)
 # What the plots compare with.
 install(DIRECTORY tests/reference DESTINATION ${synovia_data_dir}/tests

@@ -47,6 +47,8 @@ NOT_RUN = {
         "the path stands for one of the reader",
     "scripts/test --sanitize": "builds all of it a second time",
     "sbatch scripts/benchmark.slurm": "needs a cluster",
+    "scripts/compare_histories ../before/build/miniapps/synovia "
+    "build/miniapps/synovia": "needs a second build",
     "scripts/python scripts/plot_accuracy.py out/accuracy":
         "measures for an hour",
 }
