@@ -147,9 +147,8 @@ MaterialCase Material(const char *region, real_t young, real_t poisson,
 {
    MaterialCase material;
    material.regions = {region};
-   material.solid.young = young;
-   material.solid.poisson = poisson;
-   material.permeability.value = permeability;
+   material.solid = {"isotropic", {{"E", young}, {"nu", poisson}}};
+   material.permeability = {"constant", {{"value", permeability}}};
    material.solid_fraction = solid_fraction;
    return material;
 }

@@ -124,9 +124,8 @@ MaterialCase Cartilage()
    MaterialCase material;
    material.regions = {"femoral_cartilage", Tibial("medial"),
                        Tibial("lateral")};
-   material.solid.young = 0.69;
-   material.solid.poisson = 0.018;
-   material.permeability.value = 3.0e-3;
+   material.solid = {"isotropic", {{"E", 0.69}, {"nu", 0.018}}};
+   material.permeability = {"constant", {{"value", 3.0e-3}}};
    material.solid_fraction = 0.25;
    return material;
 }
@@ -135,13 +134,13 @@ MaterialCase MeniscalTissue(const std::string &side, real_t shear)
 {
    MaterialCase material;
    material.regions = {Meniscus(side)};
-   material.solid.model = SolidModel::transversely_isotropic;
-   material.solid.young_r = 0.075;
-   material.solid.young_theta = 100.0;
-   material.solid.poisson_rtheta = 0.0015;
-   material.solid.poisson_rz = 0.5;
-   material.solid.shear_rtheta = shear;
-   material.permeability.value = 1.26e-3;
+   material.solid = {"transversely_isotropic",
+                     {{"E_r", 0.075},
+                      {"E_theta", 100.0},
+                      {"nu_rtheta", 0.0015},
+                      {"nu_rz", 0.5},
+                      {"G_rtheta", shear}}};
+   material.permeability = {"constant", {{"value", 1.26e-3}}};
    material.solid_fraction = 0.25;
    material.frame.type = FrameType::cylindrical;
    if (side == "medial")

@@ -1,4 +1,5 @@
 #include "synovia/cases/case_checks.hpp"
+#include "synovia/cases/law_checks.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
@@ -127,6 +128,8 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
       CheckNames(regions, path, "region", reading);
       CheckFrame(setup.materials[i].frame, Path("material", i, "frame"),
                  reading);
+      CheckLaws(setup.materials[i], Path("material", i),
+                setup.space.deformation, reading);
       const std::set<std::string> distinct(regions.begin(), regions.end());
       for (const std::string &region : distinct)
       {

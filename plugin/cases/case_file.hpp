@@ -8,6 +8,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,36 +37,21 @@ struct MeshCase
    MeshGenerator generator;
 };
 
-enum class SolidModel
-{
-   isotropic,
-   transversely_isotropic
-};
-
+/// A law of the drained solid by its name, with the values of its parameters by
+/// theirs: see SolidLaws(), or `synovia --dry-schema`.
 struct SolidCase
 {
-   SolidModel model = SolidModel::isotropic;
-   /// Young's modulus (stress) and Poisson's ratio of the drained solid.
-   mfem::real_t young = 0.0;
-   mfem::real_t poisson = 0.0;
-   /// Transversely isotropic: fibers along theta.
-   mfem::real_t young_r = 0.0;
-   mfem::real_t young_theta = 0.0;
-   mfem::real_t poisson_rtheta = 0.0;
-   mfem::real_t poisson_rz = 0.0;
-   mfem::real_t shear_rtheta = 0.0;
+   std::string model = "isotropic";
+   std::map<std::string, mfem::real_t> parameters{};
+   /// What a mixture is made of.
+   std::vector<SolidCase> solids{};
 };
 
-enum class PermeabilityModel
-{
-   constant
-};
-
+/// A law of the permeability likewise: see PermeabilityLaws().
 struct PermeabilityCase
 {
-   PermeabilityModel model = PermeabilityModel::constant;
-   /// length^4 / (force time)
-   mfem::real_t value = 0.0;
+   std::string model = "constant";
+   std::map<std::string, mfem::real_t> parameters{};
 };
 
 enum class FrameType

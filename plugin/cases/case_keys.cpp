@@ -1,4 +1,5 @@
 #include "synovia/cases/case_keys.hpp"
+#include "synovia/cases/law_keys.hpp"
 
 namespace synovia
 {
@@ -47,66 +48,11 @@ KeyTable SpaceKeys(SpaceOptions &space)
    return keys;
 }
 
-KeyTable SolidKeys(SolidCase &solid)
-{
-   const char *const isotropic = "isotropic";
-   const char *const fibers = "transversely_isotropic";
-   KeyTable keys;
-   keys.Word<SolidModel>("model", solid.model,
-                         {{isotropic, SolidModel::isotropic},
-                          {fibers, SolidModel::transversely_isotropic}},
-                         "law of the drained solid");
-   keys.Value("E", solid.young, stress, "Young's modulus")
-      .OnlyFor(isotropic)
-      .Required()
-      .Positive()
-      .Named("Young's modulus");
-   keys.Value("nu", solid.poisson, "", "Poisson's ratio")
-      .OnlyFor(isotropic)
-      .Required()
-      .Inside(-1.0, 0.5)
-      .Named("Poisson's ratio");
-   keys.Value("E_r", solid.young_r, stress, "Young's modulus across the fibers")
-      .OnlyFor(fibers)
-      .Required()
-      .Positive();
-   keys
-      .Value("E_theta", solid.young_theta, stress,
-             "Young's modulus along the fibers")
-      .OnlyFor(fibers)
-      .Required()
-      .Positive();
-   keys
-      .Value("nu_rtheta", solid.poisson_rtheta, "",
-             "contraction along the fibers under tension across them")
-      .OnlyFor(fibers)
-      .Required();
-   keys
-      .Value("nu_rz", solid.poisson_rz, "", "Poisson's ratio across the fibers")
-      .OnlyFor(fibers)
-      .Required();
-   keys
-      .Value("G_rtheta", solid.shear_rtheta, stress,
-             "shear modulus along the fibers")
-      .OnlyFor(fibers)
-      .Required()
-      .Positive();
-   return keys;
-}
-
-KeyTable PermeabilityKeys(PermeabilityCase &permeability)
+KeyTable PhysicsKeys(SpaceOptions &space)
 {
    KeyTable keys;
-   keys.Word<PermeabilityModel>("model", permeability.model,
-                                {{"constant", PermeabilityModel::constant}},
-                                "law of the permeability");
-   keys
-      .Value("value", permeability.value, "length^4/(force time)",
-             "permeability kappa: the flux is -kappa grad p")
-      .OnlyFor("constant")
-      .Required()
-      .Positive()
-      .Named("the permeability");
+   keys.Word<Deformation>("deformation", space.deformation, DeformationWords(),
+                          "of all bodies; it says which laws there are");
    return keys;
 }
 
@@ -144,7 +90,7 @@ KeyTable MaterialKeys(MaterialCase &material)
       .Inside(0.0, 1.0)
       .Named("the solid fraction");
    keys.Table("frame", FrameKeys(material.frame),
-              "axes r, theta, z of a transversely isotropic solid");
+              "axes r, theta, z of fibers, of the undeformed body");
    return keys;
 }
 
@@ -371,6 +317,7 @@ KeyTable CaseKeys(CaseFile &setup)
    keys.Value("title", setup.title, "", "says what the case is");
    keys.Table("mesh", MeshKeys(setup.mesh), "");
    keys.Table("space", SpaceKeys(setup.space), "");
+   keys.Table("physics", PhysicsKeys(setup.space), "");
    keys
       .List<MaterialCase>("material", setup.materials, MaterialKeys,
                           "of all regions")

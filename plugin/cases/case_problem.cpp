@@ -1,8 +1,7 @@
 #include "synovia/cases/case_problem.hpp"
 #include "synovia/fem/body.hpp"
 #include "synovia/general/error.hpp"
-#include "synovia/materials/isotropic_elastic.hpp"
-#include "synovia/materials/transversely_isotropic.hpp"
+#include "synovia/materials/law_registry.hpp"
 #include "synovia/mesh/surface_center.hpp"
 
 #include <map>
@@ -232,22 +231,6 @@ std::unique_ptr<MaterialFrame> MakeFrame(const FrameCase &frame,
    }
    return std::make_unique<CartesianFrame>(frame.axis);
 }
-
-std::unique_ptr<SolidLaw> MakeSolid(const SolidCase &solid,
-                                    const MaterialFrame &frame)
-{
-   if (solid.model == SolidModel::isotropic)
-   {
-      return std::make_unique<IsotropicElastic>(solid.young, solid.poisson);
-   }
-   FiberConstants constants;
-   constants.young_r = solid.young_r;
-   constants.young_theta = solid.young_theta;
-   constants.poisson_rtheta = solid.poisson_rtheta;
-   constants.poisson_rz = solid.poisson_rz;
-   constants.shear_rtheta = solid.shear_rtheta;
-   return std::make_unique<TransverselyIsotropic>(constants, frame);
-}
 } // namespace
 
 CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
@@ -279,6 +262,18 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    problem.SetNonlinearOptions(setup.solver);
 }
 
+const SolidLaw &CaseProblem::AddSolid(const SolidCase &solid, LawArguments from)
+{
+   for (const SolidCase &part : solid.solids)
+   {
+      from.parts.push_back(
+         &AddSolid(part, {{}, from.frame, from.solid_fraction, {}}));
+   }
+   from.values = solid.parameters;
+   solids.push_back(SolidLaws().Make(solid.model, from));
+   return *solids.back();
+}
+
 void CaseProblem::SetMaterials(const CaseFile &setup)
 {
    for (size_t i = 0; i < setup.materials.size(); i++)
@@ -287,20 +282,22 @@ void CaseProblem::SetMaterials(const CaseFile &setup)
       try
       {
          frames.push_back(MakeFrame(material.frame, problem.Mesh()));
-         solids.push_back(MakeSolid(material.solid, *frames.back()));
+         LawArguments from{{}, *frames.back(), material.solid_fraction, {}};
+         const SolidLaw &solid = AddSolid(material.solid, from);
+         from.values = material.permeability.parameters;
+         permeabilities.push_back(
+            PermeabilityLaws().Make(material.permeability.model, from));
+         for (const std::string &region : material.regions)
+         {
+            problem.SetMaterial(region, solid, *permeabilities.back(),
+                                material.solid_fraction);
+         }
       }
       catch (const Error &error) // on all ranks alike
       {
          CaseReading reading(setup.places);
          reading.AddError("material." + std::to_string(i), error.what());
          reading.ThrowIfAny();
-      }
-      permeabilities.push_back(
-         std::make_unique<ConstantPermeability>(material.permeability.value));
-      for (const std::string &region : material.regions)
-      {
-         problem.SetMaterial(region, *solids.back(), *permeabilities.back(),
-                             material.solid_fraction);
       }
    }
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "synovia/cases/case_file.hpp"
-#include "synovia/materials/material_frame.hpp"
+#include "synovia/materials/law_arguments.hpp"
+#include "synovia/materials/permeability_law.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 #include "synovia/physics/biphasic_problem.hpp"
 
@@ -27,6 +28,8 @@ public:
 
 private:
    void SetMaterials(const CaseFile &setup);
+   /// Makes the law, and those that it is made of.
+   const SolidLaw &AddSolid(const SolidCase &solid, LawArguments from);
    void SetBoundary(const BoundaryCase &boundary);
 
    BiphasicProblem problem;

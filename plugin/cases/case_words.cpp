@@ -50,6 +50,19 @@ const KeyWords<DirectLibrary> &DirectLibraryWords()
    return words;
 }
 
+const KeyWords<Deformation> &DeformationWords()
+{
+   static const KeyWords<Deformation> words{
+      {"infinitesimal", Deformation::infinitesimal},
+      {"finite", Deformation::finite}};
+   return words;
+}
+
+std::string DeformationWord(Deformation deformation)
+{
+   return DeformationWords()[deformation == Deformation::finite].first;
+}
+
 TimeScheme TimeSchemeNamed(const std::string &word)
 {
    return Find(TimeSchemeWords(), "time scheme", word);
@@ -58,6 +71,11 @@ TimeScheme TimeSchemeNamed(const std::string &word)
 LinearMethod LinearMethodNamed(const std::string &word)
 {
    return Find(LinearMethodWords(), "linear solver", word);
+}
+
+Deformation DeformationNamed(const std::string &word)
+{
+   return Find(DeformationWords(), "deformation", word);
 }
 
 } // namespace synovia

@@ -1,10 +1,8 @@
 #include "synovia/cases/key_table.hpp"
-#include "synovia/general/suggestion.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <ostream>
+#include <iterator>
 
 namespace synovia
 {
@@ -14,33 +12,6 @@ using namespace mfem;
 namespace
 {
 constexpr const char *auto_word = "auto";
-
-constexpr const char *bare_letters = "abcdefghijklmnopqrstuvwxyz"
-                                     "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                     "0123456789_-";
-
-std::string Joined(const std::string &path, const std::string &key)
-{
-   const bool bare = key.find_first_not_of(bare_letters) == std::string::npos;
-   return (path.empty() ? "" : path + ".") + (bare ? key : Quoted(key));
-}
-
-std::string JoinedNames(const std::vector<std::string> &names)
-{
-   std::string text;
-   for (const std::string &name : names)
-   {
-      text += (text.empty() ? "" : ", ") + name;
-   }
-   return text;
-}
-
-std::string DidYouMean(const std::string &name,
-                       const std::vector<std::string> &known)
-{
-   const std::string guess = Suggest(name, known);
-   return guess.empty() ? "" : "; did you mean \"" + guess + "\"?";
-}
 
 /// A number, or the word for one that is derived.
 class AutoBinding : public KeyBinding
@@ -80,28 +51,32 @@ public:
 private:
    real_t &value;
 };
+
+/// One of several words, as it is.
+class ChoiceBinding : public KeyBinding
+{
+public:
+   ChoiceBinding(std::string &word_, std::vector<std::string> words_)
+      : word(word_), words(std::move(words_))
+   {
+   }
+   std::string Type() const override { return "word"; }
+   TomlText Text() const override { return Quoted(word); }
+   void Read(const CaseValue &from, const std::string &path,
+             CaseReading &reading) override
+   {
+      const int found = ReadWord(from, path, words, reading);
+      if (found >= 0)
+      {
+         word = words[found];
+      }
+   }
+
+private:
+   std::string &word;
+   std::vector<std::string> words;
+};
 } // namespace
-
-bool KeyRange::Has(real_t value) const
-{
-   return open ? value > least && value < most
-               : value >= least && value <= most;
-}
-
-std::string KeyRange::Text() const
-{
-   const bool below = std::isfinite(most);
-   if (!std::isfinite(least) && !below)
-   {
-      return "";
-   }
-   if (below)
-   {
-      return std::string(open ? "between " : "from ") + ToText(least) +
-             (open ? " and " : " to ") + ToText(most);
-   }
-   return open && least == 0.0 ? "positive" : "at least " + ToText(least);
-}
 
 CaseKey &CaseKey::Required()
 {
@@ -121,62 +96,36 @@ const CaseValue *CaseKey::FindIn(const CaseValue &from) const
    return value || former_name.empty() ? value : from.Find(former_name);
 }
 
-CaseKey &CaseKey::OnlyFor(const std::string &word)
-{
-   only_for = word;
-   return *this;
-}
-
 CaseKey &CaseKey::Named(const std::string &noun_)
 {
    noun = noun_;
    return *this;
 }
 
+CaseKey &CaseKey::In(const NumberRange &range_)
+{
+   range = range_;
+   return *this;
+}
+
 CaseKey &CaseKey::Positive()
 {
-   range.least = 0.0;
-   range.open = true;
-   return *this;
+   return In(NumberRange::Positive());
 }
 
 CaseKey &CaseKey::AtLeast(real_t least)
 {
-   range.least = least;
-   return *this;
+   return In(NumberRange::AtLeast(least));
 }
 
 CaseKey &CaseKey::From(real_t least, real_t most)
 {
-   range.least = least;
-   range.most = most;
-   return *this;
+   return In(NumberRange::From(least, most));
 }
 
 CaseKey &CaseKey::Inside(real_t least, real_t most)
 {
-   From(least, most);
-   range.open = true;
-   return *this;
-}
-
-int ReadWord(const CaseValue &from, const std::string &path,
-             const std::vector<std::string> &words, CaseReading &reading)
-{
-   if (from.type != CaseValue::Type::text)
-   {
-      reading.Expect(path, WordsType(words), from);
-      return -1;
-   }
-   const auto found = std::find(words.begin(), words.end(), from.text);
-   if (found == words.end())
-   {
-      reading.AddError(path, "found " + from.Describe() + "; expected " +
-                                WordsType(words) +
-                                DidYouMean(from.text, words));
-      return -1;
-   }
-   return static_cast<int>(found - words.begin());
+   return In(NumberRange::Inside(least, most));
 }
 
 std::string WordsType(const std::vector<std::string> &words)
@@ -203,9 +152,31 @@ CaseKey &KeyTable::Add(const std::string &name, const std::string &unit,
 CaseKey &KeyTable::Auto(const std::string &name, real_t &value,
                         const std::string &unit, const std::string &meaning)
 {
+   return Bind(name, std::make_unique<AutoBinding>(value), unit, meaning)
+      .AtLeast(0.0);
+}
+
+CaseKey &KeyTable::Bind(const std::string &name,
+                        std::unique_ptr<KeyBinding> binding,
+                        const std::string &unit, const std::string &meaning)
+{
    CaseKey &key = Add(name, unit, meaning);
-   key.value = std::make_unique<AutoBinding>(value);
-   return key.AtLeast(0.0);
+   key.value = std::move(binding);
+   return key;
+}
+
+CaseKey &KeyTable::Choice(const std::string &name, std::string &word,
+                          const std::vector<Alternative> &alternatives,
+                          std::function<KeyTable(const std::string &)> describe,
+                          const std::string &meaning)
+{
+   std::vector<std::string> words;
+   for (const Alternative &alternative : alternatives)
+   {
+      words.push_back(alternative.word);
+   }
+   chosen = Chosen{name, &word, alternatives, std::move(describe)};
+   return Bind(name, std::make_unique<ChoiceBinding>(word, words), "", meaning);
 }
 
 CaseKey &KeyTable::Table(const std::string &name, KeyTable table,
@@ -239,291 +210,34 @@ std::vector<std::string> KeyTable::Names() const
    return names;
 }
 
-std::string KeyTable::ModelKey() const
+bool KeyTable::Chosen::IsValid() const
 {
-   return Find("model") ? "model" : "type";
+   return std::any_of(alternatives.begin(), alternatives.end(),
+                      [&](const Alternative &alternative)
+                      { return alternative.word == *word; });
 }
 
-std::string KeyTable::Model() const
+std::string KeyTable::Chosen::ThoseWith(const std::string &name) const
 {
-   const CaseKey *model = Find(ModelKey());
-   return model ? model->value->Text().value_or("") : "";
+   std::vector<std::string> words;
+   for (const Alternative &alternative : alternatives)
+   {
+      if (describe(alternative.word).Find(name))
+      {
+         words.push_back(alternative.word);
+      }
+   }
+   return words.empty() ? "" : WordsType(words);
 }
 
-bool KeyTable::Applies(const CaseKey &key) const
+void KeyTable::AddChosen()
 {
-   return key.only_for.empty() || Quoted(key.only_for) == Model();
-}
-
-void KeyTable::ReadList(CaseKey &key, const CaseValue &from,
-                        const std::string &path, CaseReading &reading)
-{
-   const auto is_table = [](const CaseValue &item)
-   { return item.type == CaseValue::Type::table; };
-   if (from.type != CaseValue::Type::list ||
-       !std::all_of(from.items.begin(), from.items.end(), is_table))
+   if (chosen && !chosen->added && chosen->IsValid())
    {
-      reading.Expect(
-         path, "tables, each of them under a line [[" + key.name + "]]", from);
-      return;
-   }
-   key.list->resize(from.items.size());
-   for (size_t i = 0; i < from.items.size(); i++)
-   {
-      const std::string here = Joined(path, std::to_string(i));
-      reading.SetPlace(here, from.items[i].place);
-      key.list->entry(i).Read(from.items[i], here, reading);
-   }
-}
-
-void KeyTable::ReadKey(CaseKey &key, const CaseValue &from,
-                       const std::string &path, CaseReading &reading)
-{
-   if (key.value)
-   {
-      key.value->Read(from, path, reading);
-   }
-   else if (key.table)
-   {
-      key.table->Read(from, path, reading);
-   }
-   else
-   {
-      ReadList(key, from, path, reading);
-   }
-}
-
-void KeyTable::Read(const CaseValue &from, const std::string &path,
-                    CaseReading &reading)
-{
-   if (from.type != CaseValue::Type::table)
-   {
-      reading.Expect(path, "a table", from);
-      return;
-   }
-   for (const CaseValue::Member &member : from.members)
-   {
-      const std::string here = Joined(path, member.key);
-      if (!Find(member.key))
-      {
-         reading.SetPlace(here, member.place);
-         reading.AddError(
-            here, "there is no such key; there are: " + JoinedNames(Names()) +
-                     DidYouMean(member.key, Names()));
-      }
-   }
-   for (CaseKey &key : keys)
-   {
-      if (const CaseValue *value = key.FindIn(from))
-      {
-         const std::string here = Joined(path, key.name);
-         reading.SetPlace(here, value->place);
-         ReadKey(key, *value, here, reading);
-      }
-   }
-   for (CaseKey &key : keys)
-   {
-      const std::string here = Joined(path, key.name);
-      const bool given = key.FindIn(from) != nullptr;
-      if (!key.former_name.empty() && from.Find(key.former_name) &&
-          from.Find(key.name))
-      {
-         reading.AddError(here, "it is there as \"" + key.former_name +
-                                   "\", its former name, too");
-      }
-      if (!key.only_for.empty() && reading.HasError(Joined(path, ModelKey())))
-      {
-         continue; // nobody knows for what
-      }
-      if (given && !Applies(key))
-      {
-         reading.AddError(here, "this goes with " + Quoted(key.only_for) +
-                                   ", not with " + Model());
-      }
-      else if (!given && key.required && Applies(key))
-      {
-         reading.AddError(here,
-                          "this is missing" + (key.meaning.empty()
-                                                  ? std::string()
-                                                  : " (" + key.meaning + ")"));
-      }
-      else if (!given && key.table)
-      {
-         CaseValue nothing;
-         nothing.place = from.place;
-         key.table->Read(nothing, here, reading);
-      }
-   }
-}
-
-void KeyTable::Check(const std::string &path, CaseReading &reading)
-{
-   for (CaseKey &key : keys)
-   {
-      const std::string here = Joined(path, key.name);
-      if (!Applies(key) || reading.HasError(here))
-      {
-         continue;
-      }
-      if (key.table)
-      {
-         key.table->Check(here, reading);
-      }
-      for (size_t i = 0; key.list && i < key.list->size(); i++)
-      {
-         key.list->entry(i).Check(Joined(here, std::to_string(i)), reading);
-      }
-      const std::optional<real_t> number =
-         key.value ? key.value->Number() : std::nullopt;
-      if (number && !key.range.Has(*number))
-      {
-         reading.AddError(
-            here, (key.noun.empty() ? "found " : key.noun + " is ") +
-                     ToText(*number) + "; it must be " + key.range.Text());
-      }
-   }
-}
-
-TomlText KeyTable::Inline()
-{
-   std::string text;
-   for (CaseKey &key : keys)
-   {
-      if (!Applies(key) || key.list)
-      {
-         continue;
-      }
-      const TomlText value =
-         key.table ? key.table->Inline() : key.value->Text();
-      if (value)
-      {
-         text += (text.empty() ? "" : ", ") + key.name + " = " + *value;
-      }
-   }
-   return text.empty() ? TomlText() : "{" + text + "}";
-}
-
-void KeyTable::Write(std::ostream &out, const std::string &path)
-{
-   // Tables at the top get a line of their own, those in them are inline.
-   const auto has_section = [&](const CaseKey &key)
-   { return key.list || (key.table && path.empty()); };
-   for (CaseKey &key : keys)
-   {
-      if (!has_section(key) && Applies(key))
-      {
-         const TomlText value =
-            key.table ? key.table->Inline() : key.value->Text();
-         if (value)
-         {
-            out << key.name << " = " << *value << '\n';
-         }
-      }
-   }
-   for (CaseKey &key : keys)
-   {
-      const std::string here = Joined(path, key.name);
-      if (!has_section(key))
-      {
-         continue;
-      }
-      if (key.table)
-      {
-         out << "\n[" << here << "]\n";
-         key.table->Write(out, here);
-      }
-      for (size_t i = 0; key.list && i < key.list->size(); i++)
-      {
-         out << "\n[[" << here << "]]\n";
-         key.list->entry(i).Write(out, here);
-      }
-   }
-}
-
-void KeyTable::Values(const std::string &path,
-                      std::vector<std::pair<std::string, std::string>> &values)
-{
-   for (CaseKey &key : keys)
-   {
-      const std::string here = Joined(path, key.name);
-      if (!Applies(key))
-      {
-         continue;
-      }
-      if (key.value)
-      {
-         if (const TomlText text = key.value->Text())
-         {
-            values.emplace_back(here, *text);
-         }
-      }
-      else if (key.table)
-      {
-         key.table->Values(here, values);
-      }
-      for (size_t i = 0; key.list && i < key.list->size(); i++)
-      {
-         key.list->entry(i).Values(Joined(here, std::to_string(i)), values);
-      }
-   }
-}
-
-void KeyTable::Collect(const std::string &path, std::vector<Line> &lines)
-{
-   for (CaseKey &key : keys)
-   {
-      const std::string here = Joined(path, key.name);
-      std::string notes = key.meaning;
-      const std::string range = key.range.Text();
-      if (!range.empty())
-      {
-         notes += "; " + range;
-      }
-      if (!key.only_for.empty())
-      {
-         notes += "; for " + Quoted(key.only_for);
-      }
-      if (key.value)
-      {
-         lines.push_back(
-            {here, key.value->Type(),
-             key.required ? "required" : key.value->Text().value_or("-"),
-             key.unit.empty() ? "-" : key.unit, notes});
-      }
-      if (key.table)
-      {
-         key.table->Collect(here, lines);
-      }
-      if (key.list)
-      {
-         key.list->sample([&](KeyTable &sample)
-                          { sample.Collect(here + ".N", lines); });
-      }
-   }
-}
-
-void KeyTable::List(std::ostream &out)
-{
-   std::vector<Line> lines{{"key", "type", "default", "unit", "meaning"}};
-   Collect("", lines);
-   std::string Line::*const columns[] = {&Line::key, &Line::type,
-                                         &Line::standard, &Line::unit};
-   for (const auto column : columns)
-   {
-      size_t width = 0;
-      for (const Line &line : lines)
-      {
-         width = std::max(width, (line.*column).size());
-      }
-      for (Line &line : lines)
-      {
-         (line.*column).resize(width + 2, ' ');
-      }
-   }
-   for (const Line &line : lines)
-   {
-      out << line.key << line.type << line.standard << line.unit << line.meaning
-          << '\n';
+      KeyTable further = chosen->describe(*chosen->word);
+      std::move(further.keys.begin(), further.keys.end(),
+                std::back_inserter(keys));
+      chosen->added = true;
    }
 }
 

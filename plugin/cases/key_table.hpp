@@ -2,10 +2,10 @@
 
 #include "synovia/cases/case_codec.hpp"
 #include "synovia/cases/case_words.hpp"
+#include "synovia/general/number_range.hpp"
 
 #include <functional>
 #include <iosfwd>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,19 +13,6 @@
 
 namespace synovia
 {
-
-/// The numbers that a key allows.
-struct KeyRange
-{
-   mfem::real_t least = -std::numeric_limits<mfem::real_t>::infinity();
-   mfem::real_t most = std::numeric_limits<mfem::real_t>::infinity();
-   /// Whether the bounds themselves are left out.
-   bool open = false;
-
-   bool Has(mfem::real_t value) const;
-   /// In words, after "must be"; empty for all numbers.
-   std::string Text() const;
-};
 
 /// One value of a program that a key stands for.
 class KeyBinding
@@ -35,6 +22,8 @@ public:
    virtual std::string Type() const = 0;
    /// The present value as TOML, if it is set.
    virtual TomlText Text() const = 0;
+   /// Whether it has a value, for what can be without.
+   virtual bool IsSet() const { return true; }
    virtual void Read(const CaseValue &from, const std::string &path,
                      CaseReading &reading) = 0;
    /// The present value where it is one number.
@@ -54,16 +43,15 @@ struct CaseKey
    std::string meaning;
    /// How a complaint about the value calls it, if not by its path.
    std::string noun;
-   KeyRange range;
+   NumberRange range;
    bool required = false;
-   /// Only where the table's key "model" or "type" is this word.
-   std::string only_for;
 
    std::unique_ptr<KeyBinding> value;
    std::unique_ptr<KeyTable> table;
 
    /// A list of tables: how many there are, how many there shall be, and the
-   /// keys of one of them; those of a sample, to show, if there is none.
+   /// keys of one of them; those of a sample, to show, unless they are shown
+   /// elsewhere.
    struct List
    {
       std::function<size_t()> size;
@@ -78,8 +66,8 @@ struct CaseKey
 
    CaseKey &Required();
    CaseKey &Formerly(const std::string &former_name_);
-   CaseKey &OnlyFor(const std::string &word);
    CaseKey &Named(const std::string &noun_);
+   CaseKey &In(const NumberRange &range_);
    CaseKey &Positive();
    CaseKey &AtLeast(mfem::real_t least);
    /// Between the two, which are allowed too, or are not.
@@ -94,6 +82,13 @@ struct CaseKey
 class KeyTable
 {
 public:
+   /// A word that a key may have, and what it stands for.
+   struct Alternative
+   {
+      std::string word;
+      std::string meaning;
+   };
+
    template <typename T>
    CaseKey &Value(const std::string &name, T &value, const std::string &unit,
                   const std::string &meaning);
@@ -105,6 +100,15 @@ public:
                  const KeyWords<Enum> &words, const std::string &meaning);
    CaseKey &Table(const std::string &name, KeyTable table,
                   const std::string &meaning);
+   /// A word that further keys depend on: @a describe gives those that go with
+   /// one of the alternatives. A table has one such key at most.
+   CaseKey &Choice(const std::string &name, std::string &word,
+                   const std::vector<Alternative> &alternatives,
+                   std::function<KeyTable(const std::string &)> describe,
+                   const std::string &meaning);
+   /// A value with a binding of its own.
+   CaseKey &Bind(const std::string &name, std::unique_ptr<KeyBinding> binding,
+                 const std::string &unit, const std::string &meaning);
    template <typename Entry>
    CaseKey &List(const std::string &name, std::vector<Entry> &entries,
                  KeyTable (*describe)(Entry &), const std::string &meaning);
@@ -132,24 +136,46 @@ private:
       std::string standard;
       std::string unit;
       std::string meaning;
+
+      bool operator==(const Line &other) const;
+   };
+
+   /// What a word chooses.
+   struct Chosen
+   {
+      std::string key;
+      const std::string *word;
+      std::vector<Alternative> alternatives;
+      std::function<KeyTable(const std::string &)> describe;
+      /// Whether the keys that go with the word are among the table's.
+      bool added = false;
+
+      bool IsValid() const;
+      /// The alternatives that have a key, in quotes.
+      std::string ThoseWith(const std::string &name) const;
    };
 
    CaseKey &Add(const std::string &name, const std::string &unit,
                 const std::string &meaning);
    const CaseKey *Find(const std::string &name) const;
    std::vector<std::string> Names() const;
-   bool Applies(const CaseKey &key) const;
-   /// The key whose word says which others apply, and that word as TOML.
-   std::string ModelKey() const;
-   std::string Model() const;
+   /// Adds the keys that go with the present word, once there is a valid one.
+   void AddChosen();
+   void ReadChoice(const CaseValue &from, const std::string &path,
+                   CaseReading &reading);
+   void RefuseUnknown(const CaseValue &from, const std::string &path,
+                      CaseReading &reading) const;
    void ReadKey(CaseKey &key, const CaseValue &from, const std::string &path,
                 CaseReading &reading);
    void ReadList(CaseKey &key, const CaseValue &from, const std::string &path,
                  CaseReading &reading);
    TomlText Inline();
+   static TomlText InlineValue(CaseKey &key);
    void Collect(const std::string &path, std::vector<Line> &lines);
+   void CollectChoice(const std::string &path, std::vector<Line> &lines) const;
 
    std::vector<CaseKey> keys;
+   std::optional<Chosen> chosen;
 };
 
 template <typename T>

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "synovia/fem/biphasic_spaces.hpp"
-#include "synovia/materials/hyperelastic_law.hpp"
+#include "synovia/materials/material_point.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 namespace synovia
 {

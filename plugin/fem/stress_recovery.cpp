@@ -33,7 +33,7 @@ void CalcStrain(const DenseMatrix &gradient, Vector &strain)
 }
 
 /// P F^T / J
-void CalcCauchyStress(const HyperelasticLaw &law, const MaterialPoint &point,
+void CalcCauchyStress(const SolidLaw &law, const MaterialPoint &point,
                       const DenseMatrix &gradient, Vector &stress)
 {
    Tensor3<> F = IdentityTensor();
@@ -143,8 +143,7 @@ void StressRecovery::GetStress(const SolidLaw &law, const MaterialPoint &point,
       stiffness.Mult(strain, stress);
       return;
    }
-   CalcCauchyStress(dynamic_cast<const HyperelasticLaw &>(law), point, gradient,
-                    stress);
+   CalcCauchyStress(law, point, gradient, stress);
 }
 
 void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)

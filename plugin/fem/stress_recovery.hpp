@@ -1,7 +1,6 @@
 #pragma once
 
-#include "synovia/fem/deformation.hpp"
-#include "synovia/materials/hyperelastic_law.hpp"
+#include "synovia/materials/deformation.hpp"
 #include "synovia/materials/material_table.hpp"
 
 #include <map>

@@ -1,7 +1,6 @@
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/general/text.hpp"
-#include "synovia/materials/deforming_permeability.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +13,6 @@ using namespace mfem;
 
 namespace
 {
-const HyperelasticLaw *Solid(const Material &material)
-{
-   return dynamic_cast<const HyperelasticLaw *>(material.solid);
-}
-
-const DeformingPermeability *Permeability(const Material &material)
-{
-   return dynamic_cast<const DeformingPermeability *>(material.permeability);
-}
-
 // d(J F^-T)_ij / dF_kl, at [3 i + j][3 k + l].
 Tangent3 CofactorDerivative(const Tensor3<> &F)
 {
@@ -139,14 +128,11 @@ void VerifyLaws(const NamedMesh &mesh, const MaterialTable &materials)
 {
    for (const int attribute : mesh.Get().attributes)
    {
-      const Material &material = materials.Get(attribute);
-      if (!Solid(material) || !Permeability(material))
+      if (!materials.Get(attribute).solid->IsObjective())
       {
-         throw Error(
-            "the " + std::string(Solid(material) ? "permeability" : "solid") +
-            " of \"" + NameOf(mesh.Regions(), attribute) +
-            "\" is a law of infinitesimal strain; finite deformation needs one "
-            "that depends on the deformation gradient");
+         throw Error("the solid of \"" + NameOf(mesh.Regions(), attribute) +
+                     "\" is a law of infinitesimal deformation; finite "
+                     "deformation needs one that turns with the body");
       }
    }
 }
@@ -247,9 +233,9 @@ void TotalLagrangianForm::Mult(const BodyStage &stage, Vector &momentum,
          const real_t J = Determinant(F, cofactor);
          const bool possible =
             J > 0.0 &&
-            Solid(material)->GetStress(element.Point(), F, stress, nullptr) &&
-            Permeability(material)->GetReferential(element.Point(), F,
-                                                   permeability, nullptr);
+            material.solid->GetStress(element.Point(), F, stress, nullptr) &&
+            material.permeability->GetReferential(element.Point(), F,
+                                                  permeability, nullptr);
          const real_t weight = possible
                                   ? element.Weight()
                                   : std::numeric_limits<real_t>::quiet_NaN();
@@ -392,12 +378,12 @@ std::string TotalLagrangianForm::ValidatePoint() const
       what = "has no pores left, as its solid fraction is " +
              ToText(material.solid_fraction);
    }
-   else if (!Solid(material)->GetStress(element.Point(), F, value, nullptr))
+   else if (!material.solid->GetStress(element.Point(), F, value, nullptr))
    {
       what = "has no finite stress";
    }
-   else if (!Permeability(material)->GetReferential(element.Point(), F, value,
-                                                    nullptr))
+   else if (!material.permeability->GetReferential(element.Point(), F, value,
+                                                   nullptr))
    {
       what = "has no permeability";
    }
@@ -446,13 +432,13 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
          const real_t weight = element.Weight();
          const Tensor3<> &F = element.DeformationGradient();
          const DenseMatrix &gradients = element.Gradients();
-         Solid(material)->GetStress(element.Point(), F, value, &tangent);
+         material.solid->GetStress(element.Point(), F, value, &tangent);
          tangent -= element.Pressure() * CofactorDerivative(F);
          AddStiffness(gradients, tangent, weight, u_matrix);
          AddProduct(element.PressureShape(), Cofactor(F), gradients, weight,
                     coupling_matrix);
-         Permeability(material)->GetReferential(element.Point(), F, value,
-                                                &tangent);
+         material.permeability->GetReferential(element.Point(), F, value,
+                                               &tangent);
          const std::array<Tensor3<>, 3> change =
             FlowChange(tangent, element.PressureGradient());
          const DenseMatrix &p_gradients = element.PressureGradients();

@@ -21,7 +21,7 @@ namespace synovia
 ///
 /// with F = I + grad u, the pressure p of the fluid in space, and J_0 what the
 /// stage begins with: fluid is conserved to round-off, whatever the step. Its
-/// solids must be HyperelasticLaw, its permeabilities DeformingPermeability.
+/// solids must be objective.
 class TotalLagrangianForm : public BodyForm
 {
 public:

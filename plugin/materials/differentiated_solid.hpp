@@ -1,13 +1,13 @@
 #pragma once
 
-#include "synovia/materials/hyperelastic_law.hpp"
+#include "synovia/materials/solid_law.hpp"
 
 #include <cmath>
 
 namespace synovia
 {
 
-/// A hyperelastic law whose tangent is found by dual numbers.
+/// A solid law whose tangent is found by dual numbers.
 ///
 /// @a Own writes nothing but
 ///
@@ -17,7 +17,7 @@ namespace synovia
 ///
 /// with +, -, *, /, sqrt, exp, log and pow on the components of F.
 template <typename Own>
-class DifferentiatedSolid : public HyperelasticLaw
+class DifferentiatedSolid : public SolidLaw
 {
 public:
    bool GetStress(const MaterialPoint &point, const Tensor3<> &F,

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "synovia/materials/differentiated_solid.hpp"
-#include "synovia/materials/material_frame.hpp"
+#include "synovia/materials/fiber_direction.hpp"
+#include "synovia/materials/law_arguments.hpp"
+#include "synovia/materials/law_description.hpp"
 
 namespace synovia
 {
-
-/// The axis theta of @a frame at a point of the undeformed body.
-Vector3<> FiberDirection(const MaterialPoint &point,
-                         const MaterialFrame &frame);
 
 /// Fibers along the axis theta of a frame: an energy Psi(I_n) of the square of
 /// their stretch, I_n = n_0 . C n_0, that resists tension only:
@@ -16,11 +14,11 @@ Vector3<> FiberDirection(const MaterialPoint &point,
 ///     P = 2 Psi'(I_n) (F n_0) (x) n_0 where I_n > I_0.
 ///
 /// To be mixed with a ground matrix, see SolidMixture. @a Own has the threshold
-/// as real_t Threshold() const and Psi' as
+/// I_0 as real_t Threshold() const and Psi' as
 ///
 ///     template <typename T> T EnergyDerivative(const T &I_n) const;
 template <typename Own>
-class FiberSolid : public DifferentiatedSolid<FiberSolid<Own>>
+class FiberSolid : public DifferentiatedSolid<Own>
 {
 public:
    /// Borrows @a frame.
@@ -32,25 +30,13 @@ public:
    {
       const Own &law = static_cast<const Own &>(*this);
       const Vector3<> n = FiberDirection(point, frame);
-      Vector3<T> stretched;
-      for (int i = 0; i < 3; i++)
-      {
-         stretched[i] = F[i][0] * n[0] + F[i][1] * n[1] + F[i][2] * n[2];
-      }
-      const T square = stretched[0] * stretched[0] +
-                       stretched[1] * stretched[1] +
-                       stretched[2] * stretched[2];
+      const Vector3<T> stretched = Product(F, n);
+      const T square = InnerProduct(stretched, stretched);
       P = Tensor3<T>{};
       if (square > law.Threshold())
       {
          const T tension = 2.0 * law.EnergyDerivative(square);
-         for (int i = 0; i < 3; i++)
-         {
-            for (int j = 0; j < 3; j++)
-            {
-               P[i][j] = n[j] * (tension * stretched[i]);
-            }
-         }
+         AddOuterProduct(tension, stretched, n, P);
       }
       return true;
    }
@@ -63,7 +49,7 @@ public:
    mfem::real_t AggregateModulus() const override { return 0.0; }
    mfem::real_t ShearModulus() const override { return 0.0; }
 
-private:
+protected:
    const MaterialFrame &frame;
 };
 

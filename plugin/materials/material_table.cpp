@@ -1,6 +1,5 @@
 #include "synovia/materials/material_table.hpp"
-#include "synovia/general/error.hpp"
-#include "synovia/general/text.hpp"
+#include "synovia/materials/law_description.hpp"
 
 namespace synovia
 {
@@ -11,11 +10,7 @@ void MaterialTable::Set(const Array<int> &attributes, const Material &material)
 {
    MFEM_VERIFY(material.solid && material.permeability,
                "a material needs a solid law and a permeability law");
-   if (!(material.solid_fraction > 0.0 && material.solid_fraction < 1.0))
-   {
-      throw Error("the solid fraction is " + ToText(material.solid_fraction) +
-                  "; it must lie between 0 and 1");
-   }
+   VerifySolidFraction(material.solid_fraction);
    for (const int attribute : attributes)
    {
       if (static_cast<int>(by_attribute.size()) <= attribute)

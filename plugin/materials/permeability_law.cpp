@@ -1,17 +1,15 @@
 #include "synovia/materials/permeability_law.hpp"
-#include "synovia/general/error.hpp"
-#include "synovia/general/text.hpp"
 
 namespace synovia
 {
 
-ConstantPermeability::ConstantPermeability(mfem::real_t value_) : value(value_)
+mfem::real_t
+PermeabilityLaw::GetPermeability(mfem::ElementTransformation &trans,
+                                 const mfem::IntegrationPoint &ip) const
 {
-   if (!(value > 0.0))
-   {
-      throw Error("the permeability is " + ToText(value) +
-                  "; it must be positive");
-   }
+   Tensor3<> permeability;
+   GetReferential({trans, ip}, IdentityTensor(), permeability, nullptr);
+   return permeability[0][0];
 }
 
 } // namespace synovia

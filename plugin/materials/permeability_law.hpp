@@ -1,41 +1,36 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "synovia/materials/material_point.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 namespace synovia
 {
 
-/// Isotropic permeability kappa (length^4 / (force time)): the relative flux is
-/// -kappa grad p.
+/// Law of the permeability (length^4 / (force time)). It may vary in space.
+///
+/// Derive from IsotropicPermeability to write the dependence of a scalar on the
+/// volume only, and from DifferentiatedPermeability to write a tensor.
 class PermeabilityLaw
 {
 public:
    virtual ~PermeabilityLaw() = default;
 
-   virtual mfem::real_t
-   GetPermeability(mfem::ElementTransformation &trans,
-                   const mfem::IntegrationPoint &ip) const = 0;
+   /// Sets the referential permeability K = J F^-1 k F^-T at the deformation
+   /// gradient @a F, where -k grad p is the relative flux in space: -K grad_X p
+   /// is the volume that flows through an undeformed area. Sets dK/dF, unless
+   /// @a tangent is null. False where the law has no value, because the pores
+   /// are closed.
+   virtual bool GetReferential(const MaterialPoint &point, const Tensor3<> &F,
+                               Tensor3<> &permeability,
+                               Tangent3 *tangent) const = 0;
+
+   /// That of infinitesimal deformation, kappa: of the undeformed body, which
+   /// must be isotropic.
+   virtual mfem::real_t GetPermeability(mfem::ElementTransformation &trans,
+                                        const mfem::IntegrationPoint &ip) const;
 
    /// A typical value: it scales penalties and the gel time.
    virtual mfem::real_t ReferenceValue() const = 0;
-};
-
-/// The same permeability everywhere.
-class ConstantPermeability : public PermeabilityLaw
-{
-public:
-   /// Throws Error unless @a value is positive.
-   explicit ConstantPermeability(mfem::real_t value);
-
-   mfem::real_t GetPermeability(mfem::ElementTransformation &,
-                                const mfem::IntegrationPoint &) const override
-   {
-      return value;
-   }
-   mfem::real_t ReferenceValue() const override { return value; }
-
-private:
-   mfem::real_t value;
 };
 
 } // namespace synovia

@@ -82,6 +82,39 @@ auto TransposedProduct(const Tensor3<S> &A, const Tensor3<T> &B)
    return product;
 }
 
+/// A n
+template <typename S, typename T>
+auto Product(const Tensor3<S> &A, const Vector3<T> &n)
+{
+   Vector3<decltype(A[0][0] * n[0])> product;
+   for (int i = 0; i < 3; i++)
+   {
+      product[i] = A[i][0] * n[0] + A[i][1] * n[1] + A[i][2] * n[2];
+   }
+   return product;
+}
+
+/// a . b
+template <typename S, typename T>
+auto InnerProduct(const Vector3<S> &a, const Vector3<T> &b)
+{
+   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Adds @a factor a (x) b.
+template <typename R, typename S, typename T, typename U>
+void AddOuterProduct(const R &factor, const Vector3<S> &a, const Vector3<T> &b,
+                     Tensor3<U> &sum)
+{
+   for (int i = 0; i < 3; i++)
+   {
+      for (int j = 0; j < 3; j++)
+      {
+         sum[i][j] = sum[i][j] + (factor * a[i]) * b[j];
+      }
+   }
+}
+
 template <typename T>
 T Trace(const Tensor3<T> &A)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/fem/deformation.hpp"
+#include "synovia/materials/deformation.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 #include "synovia/physics/biphasic_operator.hpp"
 

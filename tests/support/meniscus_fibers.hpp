@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/materials/transversely_isotropic.hpp"
+#include "synovia/materials/solids/transversely_isotropic.hpp"
 
 namespace synovia
 {

@@ -60,7 +60,7 @@ TEST_CASE("Changed keys are found with their values, in both directions")
 {
    const CaseFile before = SomeCase();
    CaseFile after = before;
-   after.materials[0].solid.young = 0.75;
+   after.materials[0].solid.parameters["E"] = 0.75;
    after.boundaries[0].displacement[2] = LoadCurve(-2.0);
    after.boundaries[0].pressure = LoadCurve(0.0);
    after.contacts[0].options.penalty = 3.0;

@@ -101,9 +101,11 @@ TEST_CASE("A case file fills the structs", "[case]")
    REQUIRE(setup.materials.size() == 1);
    CHECK(setup.materials[0].regions ==
          std::vector<std::string>{"lower", "upper"});
-   CHECK(setup.materials[0].solid.young == 0.5);
-   CHECK(setup.materials[0].solid.poisson == 0.1);
-   CHECK(setup.materials[0].permeability.value == 4e-3);
+   CHECK(setup.space.deformation == Deformation::infinitesimal);
+   CHECK(setup.materials[0].solid.model == "isotropic");
+   CHECK(setup.materials[0].solid.parameters.at("E") == 0.5);
+   CHECK(setup.materials[0].solid.parameters.at("nu") == 0.1);
+   CHECK(setup.materials[0].permeability.parameters.at("value") == 4e-3);
    CHECK(setup.materials[0].solid_fraction == 0.2);
    REQUIRE(setup.boundaries.size() == 3);
    const BoundaryCase &top = setup.boundaries[1];
@@ -402,7 +404,7 @@ TEST_CASE("Keys can be overridden", "[case]")
    CHECK(setup.time.step == 2.5);
    CHECK(setup.contacts[0].options.penalty == 0.0);
    CHECK(setup.contacts[0].options.gap_tolerance == 1e-3);
-   CHECK(setup.materials[0].solid.young == 2.0);
+   CHECK(setup.materials[0].solid.parameters.at("E") == 2.0);
    CHECK_FALSE(setup.boundaries[1].displacement[1]);
    CHECK(setup.boundaries[1].displacement[2]);
    CHECK(setup.output.lines.empty());
@@ -443,7 +445,7 @@ TEST_CASE("A case that a program made is checked as well", "[case]")
    CaseFile setup = ParseCase(good, "case.toml");
    setup.places.clear();
    CHECK_NOTHROW(CheckCase(setup));
-   setup.materials[0].solid.young = -1.0;
+   setup.materials[0].solid.parameters["E"] = -1.0;
    CHECK_THROWS_WITH(CheckCase(setup),
                      "material.0.solid.E: Young's modulus is -1; it must be "
                      "positive");

@@ -3,8 +3,8 @@
 #include "synovia/fem/effective_stress_integrator.hpp"
 #include "synovia/fem/pressure_projection_integrator.hpp"
 #include "synovia/general/symmetric_eigenvalues.hpp"
-#include "synovia/materials/isotropic_elastic.hpp"
-#include "synovia/materials/permeability_law.hpp"
+#include "synovia/materials/permeabilities/constant_permeability.hpp"
+#include "synovia/materials/solids/isotropic_elastic.hpp"
 
 #include <catch2/catch.hpp>
 

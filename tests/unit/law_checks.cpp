@@ -49,7 +49,7 @@ std::string PlaceOfTheOne()
 }
 
 /// A stiffness that something happens to in one element.
-class PatchySolid : public SolidLaw
+class PatchySolid : public LinearSolid
 {
 public:
    using Change = std::function<void(DenseMatrix &)>;
@@ -75,14 +75,15 @@ private:
 };
 
 /// A permeability that has another value in one element.
-class PatchyPermeability : public PermeabilityLaw
+class PatchyPermeability : public IsotropicPermeability<PatchyPermeability>
 {
 public:
    explicit PatchyPermeability(real_t value_) : value(value_) {}
-   real_t GetPermeability(ElementTransformation &trans,
-                          const IntegrationPoint &ip) const override
+   template <typename T>
+   bool Spatial(const MaterialPoint &point, const T &, T &k) const
    {
-      return InTheOne(trans, ip) ? value : 1e-3;
+      k = InTheOne(point.trans, point.ip) ? value : 1e-3;
+      return true;
    }
    real_t ReferenceValue() const override { return typical; }
 

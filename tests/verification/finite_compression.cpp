@@ -15,9 +15,10 @@
 #include "support/reference_table.hpp"
 #include "support/round_meshes.hpp"
 #include "synovia/general/reduce.hpp"
-#include "synovia/materials/deforming_permeability.hpp"
-#include "synovia/materials/holmes_mow.hpp"
-#include "synovia/materials/neo_hookean.hpp"
+#include "synovia/materials/permeabilities/constant_permeability.hpp"
+#include "synovia/materials/permeabilities/holmes_mow_permeability.hpp"
+#include "synovia/materials/solids/holmes_mow.hpp"
+#include "synovia/materials/solids/neo_hookean.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -39,7 +40,7 @@ const std::vector<real_t> times = {50.0,  100.0, 250.0, 500.0,
 struct Laws
 {
    const NeoHookean neo_hookean{0.5, 0.1};
-   const SpatialPermeability constant{4.0e-3};
+   const ConstantPermeability constant{4.0e-3};
    const HolmesMow holmes_mow{0.5, 0.1, 0.5};
    const HolmesMowPermeability closing{4.0e-3, 2.0, 2.0, 0.2};
 
@@ -234,7 +235,7 @@ TEST_CASE("Finite deformation refuses what it can't do yet")
    BoxOptions box;
    NamedMesh mesh = MakeBox(box);
    const IsotropicElastic linear(0.5, 0.1);
-   const SpatialPermeability constant(4.0e-3);
+   const ConstantPermeability constant(4.0e-3);
    BiphasicProblem problem(mesh, Finite(2));
    problem.SetMaterial("body", linear, constant);
    problem.FixDisplacement("z0");

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// The path of a key in the table at @a path, which is empty at the top.
+std::string Joined(const std::string &path, const std::string &key);
+
+/// With commas between them.
+std::string JoinedNames(const std::vector<std::string> &names);
+
+/// "; did you mean ...?", if a name that is known is like this one.
+std::string DidYouMean(const std::string &name,
+                       const std::vector<std::string> &known);
+
+} // namespace synovia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "synovia/cases/case_file.hpp"
+
+namespace synovia
+{
+
+/// Complains about laws of a material that are not for this deformation, and
+/// about parameters that they don't have.
+void CheckLaws(const MaterialCase &material, const std::string &path,
+               Deformation deformation, CaseReading &reading);
+
+} // namespace synovia

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "synovia/general/number_range.hpp"
+#include "synovia/materials/deformation.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// A number that a law takes, with what a case file says of it.
+struct LawParameter
+{
+   /// The key.
+   std::string name;
+   std::string unit;
+   /// What it is, as messages name it.
+   std::string noun;
+   NumberRange range;
+   /// Taken if no other is given; the parameter is required if this is empty.
+   std::optional<mfem::real_t> standard;
+
+   /// Throws Error unless @a value is in the range.
+   void Verify(mfem::real_t value) const;
+};
+
+/// What a case file may say of a law: its name and its parameters.
+struct LawDescription
+{
+   /// The key model.
+   std::string name;
+   std::string meaning;
+   /// The deformation that it is for; for both if empty.
+   std::optional<Deformation> only_for;
+   std::vector<LawParameter> parameters;
+   /// Whether it is made of other laws.
+   bool has_parts = false;
+
+   bool Allows(Deformation deformation) const;
+   /// The parameter of that name, or null.
+   const LawParameter *Find(const std::string &name) const;
+   /// Throws Error unless each parameter's value, in order, is in its range.
+   void Verify(std::initializer_list<mfem::real_t> values) const;
+};
+
+/// E and nu of small strains.
+LawParameter YoungsModulus();
+LawParameter PoissonsRatio();
+/// value, that of the undeformed body.
+LawParameter ReferencePermeability();
+/// One of several that add up.
+LawParameter PermeabilityPart(const std::string &name);
+
+/// Throws Error unless the volume fraction is between 0 and 1.
+void VerifySolidFraction(mfem::real_t solid_fraction);
+
+} // namespace synovia
