@@ -3,7 +3,8 @@
 
 Requirements: each compiles without a warning, with the flags of the miniapps;
 blocks of one README make one source file, but for those with a file of their
-own, which the commands build and run.
+own, which the commands build and run; a law that is shown as a header has at
+most 60 lines.
 
 A comment before a block says what it is: <!-- file: NAME -->, or
 <!-- in: void F(...) --> for what stands in the body of that function. Others
@@ -31,6 +32,7 @@ from program_checks import SOURCE, check, finish  # noqa: E402
 
 BUILD = pathlib.Path(os.environ["SYNOVIA_BUILD_DIR"])
 PROGRAM = SOURCE / "miniapps" / "synovia.cpp"
+LONGEST_HEADER = 60     # lines
 
 
 def compiler() -> list[str]:
@@ -55,12 +57,29 @@ def source_of(blocks: list[Block]) -> str:
     return "\n".join(parts) + "\n"
 
 
+def is_header(block: Block) -> bool:
+    return block.language == "cpp" and block.note.endswith(".hpp")
+
+
+def write_headers(folder: pathlib.Path) -> None:
+    """For programs that include them."""
+    count = 0
+    for file in commands.readmes(SOURCE):
+        for block in filter(is_header, commands.readme_blocks(SOURCE, file)):
+            name = pathlib.PurePath(block.note).name
+            (folder / name).write_text(block.text, encoding="utf-8")
+            lines = block.text.count("\n")
+            check(lines <= LONGEST_HEADER, f"{block.place}: {lines} lines")
+            count += 1
+    check(count > 0, f"{count} headers")
+
+
 def sources() -> dict[str, str]:
     """By what they are made of."""
     found = {}
     for file in commands.readmes(SOURCE):
         blocks = [block for block in commands.readme_blocks(SOURCE, file)
-                  if block.language == "cpp"]
+                  if block.language == "cpp" and not is_header(block)]
         joined = []
         for block in blocks:
             if block.note.startswith("file: "):
@@ -80,6 +99,7 @@ def main() -> None:
     command = compiler() + ["-Wno-unused-function", "-fsyntax-only"]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        write_headers(folder)
 
         def compile_source(number: int, text: str) -> str:
             file = folder / f"block{number}.cpp"

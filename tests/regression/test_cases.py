@@ -129,6 +129,42 @@ def unconfined(run: Runs) -> None:
               f"force at {t} s")
 
 
+NEO_HOOKEAN = ('material.0.solid={model = "neo_hookean", E = 0.5, nu = 0.1}',
+               'material.0.permeability={model = "constant", value = 4e-3}')
+
+
+def confined_finite(run: Runs) -> None:
+    mesh = run.mesh("boxes.py", "confined_compression", "--size", "2")
+    area = (0.2 / 0.75)**2
+    for law, settings in (("holmesmow", ()),
+                          ("neohookean_constant", NEO_HOOKEAN)):
+        rows = run(CASES / "confined_compression_finite.toml", mesh,
+                   "time.end=600", "time.step=25", *settings)
+        file = f"finite_confined_{law}.csv"
+        stress = reference(file, "t", "stress")
+        for t in (100, 250, 500, 600):
+            close(at(rows, t)["reaction.top.z"] / area, stress[t], 2e-3,
+                  f"stress at {t} s, {law}")
+        exact = reference(file, "t", "p_base")
+        with open(run.directory / "out" / "lines" / "depth_t250.csv") as depth:
+            base = next(csv.DictReader(depth))
+        close(float(base["p"]), exact[250.0], 2e-3,
+              f"pressure at the base, 250 s, {law}")
+
+
+def unconfined_finite(run: Runs) -> None:
+    mesh = run.mesh("boxes.py", "unconfined_compression")
+    area = math.pi * 1.5**2 / 4
+    for law, settings in (("holmesmow", ()),
+                          ("neohookean_constant", NEO_HOOKEAN)):
+        rows = run(CASES / "unconfined_compression_finite.toml", mesh,
+                   "time.end=600", *settings)
+        exact = reference(f"finite_unconfined_{law}.csv", "t", "mean_stress")
+        for t in (100, 250, 500, 600):
+            close(at(rows, t)["reaction.top.z"] / area, exact[t], 2e-3,
+                  f"force at {t} s, {law}")
+
+
 def two_columns(run: Runs) -> None:
     rows = run(CASES / "two_columns.toml", run.mesh("boxes.py", "two_columns"))
     for t in (100, 250, 500, 750, 1000):
@@ -212,7 +248,8 @@ def indentation_hexahedra(run: Runs) -> None:
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         run = Runs(pathlib.Path(name))
-        for case in (confined, unconfined, two_columns, hertz, indentation,
+        for case in (confined, unconfined, confined_finite,
+                     unconfined_finite, two_columns, hertz, indentation,
                      indentation_hexahedra, glenohumeral,
                      glenohumeral_hexahedra, meniscus_ring):
             case(run)

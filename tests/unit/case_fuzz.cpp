@@ -214,19 +214,22 @@ std::vector<Shipped> ShippedCases()
    const auto add = [&](const std::string &name, NamedMesh mesh) {
       cases.push_back({name, ReadShipped(name), std::move(mesh)});
    };
-   add("confined_compression", OneBox("cartilage",
-                                      {{"bottom", {1}},
-                                       {"top", {6}},
-                                       {"sides_x", {3, 5}},
-                                       {"sides_y", {2, 4}}},
-                                      0.2, 0.75));
-   add("unconfined_compression", OneBox("cartilage",
-                                        {{"bottom", {1}},
-                                         {"top", {6}},
-                                         {"symmetry_x", {5}},
-                                         {"symmetry_y", {2}},
-                                         {"side", {3, 4}}},
-                                        1.5, 0.25));
+   for (const std::string variant : {"", "_finite"})
+   {
+      add("confined_compression" + variant, OneBox("cartilage",
+                                                   {{"bottom", {1}},
+                                                    {"top", {6}},
+                                                    {"sides_x", {3, 5}},
+                                                    {"sides_y", {2, 4}}},
+                                                   0.2, 0.75));
+      add("unconfined_compression" + variant, OneBox("cartilage",
+                                                     {{"bottom", {1}},
+                                                      {"top", {6}},
+                                                      {"symmetry_x", {5}},
+                                                      {"symmetry_y", {2}},
+                                                      {"side", {3, 4}}},
+                                                     1.5, 0.25));
+   }
    add("two_columns", TwoBoxes("lower", "upper",
                                {{"lower_bottom", {1}},
                                 {"lower_top", {6}},

@@ -292,7 +292,7 @@ TEST_CASE("A law of another deformation is refused with the key to set",
       CHECK_THAT(said, Contains(": " + path + ".model: \"" + law.name +
                                 "\" is a law of " + Deformed(law) +
                                 " deformation; set physics.deformation = \"" +
-                                Deformed(law) + "\" (case.toml:5:1: "));
+                                Deformed(law) + "\" (case.toml:5:15: "));
       CHECK_THAT(said, Contains("or take one of \""));
       refused++;
    };
@@ -318,7 +318,7 @@ TEST_CASE("A law of another deformation is refused with the key to set",
                        "law of infinitesimal deformation"));
    std::string text = Text("finite", ground, constant);
    text.replace(text.find("deformation = \"finite\"\n"), 23, "");
-   CHECK_THAT(CaseError(text), Contains("case.toml:7:10: material.0.solid."
+   CHECK_THAT(CaseError(text), Contains("case.toml:7:18: material.0.solid."
                                         "model: \"neo_hookean\" is a law of "
                                         "finite deformation; set "
                                         "physics.deformation = \"finite\""));
@@ -419,12 +419,9 @@ TEST_CASE("The list of keys has all laws", "[case]")
    CHECK_THAT(text, Contains("\nmaterial.N.solid.solids "));
    CHECK_THAT(text, Contains("\nmaterial.N.permeability.k1A "));
    // A key that several laws share has one line.
-   const std::string young = "\nmaterial.N.solid.E  ";
-   const size_t first = text.find(young);
-   REQUIRE(first != std::string::npos);
-   CHECK_THAT(text.substr(first, text.find('\n', first + 1) - first),
-              Contains("Young's modulus; positive; for holmes_mow, isotropic, "
-                       "neo_hookean, porous_neo_hookean"));
+   CHECK_THAT(text, Contains("Young's modulus; positive; for holmes_mow, "
+                             "isotropic, neo_hookean, porous_neo_hookean, "
+                             "saint_venant_kirchhoff\n"));
 }
 
 TEST_CASE("A program adds a law of its own", "[case]")

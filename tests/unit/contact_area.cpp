@@ -3,8 +3,8 @@
 // The area where a function of the vertices is negative, of what the source
 // covers: exact for linear functions, whose zero line is straight.
 
-#include "support/boxes.hpp"
 #include "synovia/contact/contact_area.hpp"
+#include "support/boxes.hpp"
 #include "synovia/contact/gap_operators.hpp"
 #include "synovia/general/reduce.hpp"
 
