@@ -216,12 +216,13 @@ std::vector<Shipped> ShippedCases()
    };
    for (const std::string variant : {"", "_finite"})
    {
-      add("confined_compression" + variant, OneBox("cartilage",
-                                                   {{"bottom", {1}},
-                                                    {"top", {6}},
-                                                    {"sides_x", {3, 5}},
-                                                    {"sides_y", {2, 4}}},
-                                                   0.2, 0.75));
+      add("confined_compression" + variant,
+          OneBox("cartilage",
+                 {{"bottom", {1}},
+                  {"top", {6}},
+                  {"sides_x", {3, 5}},
+                  {"sides_y", {2, 4}}},
+                 0.2, variant.empty() ? 0.75 : 1.0));
       add("unconfined_compression" + variant, OneBox("cartilage",
                                                      {{"bottom", {1}},
                                                       {"top", {6}},

@@ -3,6 +3,7 @@
 #include "synovia/fem/stress_recovery.hpp"
 #include "support/boxes.hpp"
 #include "support/two_boxes.hpp"
+#include "synovia/materials/permeabilities/constant_permeability.hpp"
 #include "synovia/materials/solids/isotropic_elastic.hpp"
 
 #include <catch2/catch.hpp>

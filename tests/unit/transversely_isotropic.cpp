@@ -163,8 +163,9 @@ TEST_CASE("Constants that make no sense are refused")
    const CartesianFrame frame({0.0, 0.0, 1.0});
    FiberConstants constants = MeniscusFibers();
    constants.young_theta = 0.0;
-   CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
-                     "E_theta is 0; it must be positive");
+   CHECK_THROWS_WITH(
+      TransverselyIsotropic(constants, frame),
+      "Young's modulus along the fibers is 0; it must be positive");
    constants = MeniscusFibers();
    constants.poisson_rz = 0.999;
    CHECK_THROWS_WITH(TransverselyIsotropic(constants, frame),
