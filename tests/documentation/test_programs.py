@@ -93,9 +93,6 @@ def sources() -> dict[str, str]:
 
 
 def main() -> None:
-    if not (BUILD / "compile_commands.json").exists():
-        print("skipped: this build has no compile_commands.json")
-        sys.exit(242)
     command = compiler() + ["-Wno-unused-function", "-fsyntax-only"]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

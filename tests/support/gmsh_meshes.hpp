@@ -1,15 +1,12 @@
 #pragma once
 
-#include "support/temporary_directory.hpp"
-
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace synovia
 {
 
-/// How gmsh saves a mesh.
+/// How gmsh has saved a mesh.
 struct GmshFormat
 {
    double version = 4.1;
@@ -19,44 +16,25 @@ struct GmshFormat
    bool serendipity = false;
 };
 
-/// Collective: rank 0 calls @a build, which fills gmsh's current model, meshes
-/// it unless @a build has, and saves it. Returns the path of the file.
-std::string SaveWithGmsh(const TemporaryDirectory &directory,
-                         const GmshFormat &format,
-                         const std::function<void()> &build);
+/// The path of a mesh that gmsh_models.py makes before the tests, by the name
+/// of its model. Throws Error if it is missing. A test with such meshes has the
+/// line "// fixtures: gmsh_meshes" at its head.
+std::string GmshMesh(const std::string &model,
+                     const GmshFormat &format = GmshFormat());
 
-/// The contents of a file that SaveWithGmsh() has written. Collective.
-std::string SavedText(const TemporaryDirectory &directory,
-                      const GmshFormat &format,
-                      const std::function<void()> &build);
-
-enum class Cells
+/// A point of an element as gmsh has it.
+struct GmshPoint
 {
-   tetrahedra,
-   hexahedra,
-   prisms
+   int element = 0;
+   double place[3] = {0.0, 0.0, 0.0};
 };
 
-/// @{
-/// Models for SaveWithGmsh(), to be called by build.
+/// Points of the elements of a curved model: of each element those with
+/// gmsh_local_points, in that order.
+std::vector<GmshPoint> GmshPoints(const std::string &model,
+                                  const GmshFormat &format);
 
-/// The box [0,1] x [0,2] x [0,3] of a few elements: volume "box", surfaces
-/// "bottom", "top" (z = 3) and "sides".
-void BuildBox(Cells cells);
-
-/// The cylinder of radius 1 and height 2 with elements of about @a size: volume
-/// "cylinder", surfaces "bottom", "top" and "mantle".
-void BuildCylinder(Cells cells, double size);
-
-/// The ball of radius 1 around the origin: volume "ball", surface "sphere".
-void BuildBall(double size);
-
-/// The unit cube of six pyramids that meet in its center: volume "cube".
-void BuildPyramids();
-/// @}
-
-/// Makes a physical group.
-void Group(int dimension, const std::vector<int> &entities, int tag,
-           const std::string &name);
+/// In gmsh's tetrahedron, prism, hexahedron and pyramid alike.
+constexpr double gmsh_local_points[2][3] = {{0.2, 0.1, 0.3}, {0.5, 0.25, 0.2}};
 
 } // namespace synovia

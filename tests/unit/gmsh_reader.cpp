@@ -2,18 +2,21 @@
 
 // ranks: 1 2 3
 // timeout: 300
+// fixtures: gmsh_meshes
 
 #include "support/gmsh_meshes.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/msh_text.hpp"
+#include "support/temporary_directory.hpp"
 #include "synovia/mesh/flat_mesh.hpp"
 #include "synovia/mesh/gmsh_file.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 
 #include <catch2/catch.hpp>
-#include <gmsh.h>
 
 #include <cmath>
+#include <iterator>
+#include <map>
 
 using namespace mfem;
 using namespace synovia;
@@ -23,13 +26,11 @@ namespace
 
 const real_t pi = 4.0 * std::atan(1.0);
 
-NamedMesh SaveAndRead(const GmshFormat &format,
-                      const std::function<void()> &build,
-                      const ReadOptions &options = ReadOptions())
+NamedMesh Read(const std::string &model,
+               const GmshFormat &format = GmshFormat(),
+               const ReadOptions &options = ReadOptions())
 {
-   const TemporaryDirectory directory;
-   return ReadGmsh(SaveWithGmsh(directory, format, build), MPI_COMM_WORLD,
-                   options);
+   return ReadGmsh(GmshMesh(model, format), MPI_COMM_WORLD, options);
 }
 
 NamedMesh ReadMeshText(const std::string &text)
@@ -61,85 +62,77 @@ int NodalOrder(const NamedMesh &mesh)
    return nodes ? nodes->FESpace()->GetMaxElementOrder() : 1;
 }
 
-// Reads the file again in gmsh itself and gives the largest distance between
-// a point of an element there and the same point of the mesh that MFEM gets.
-// Tetrahedra may be renumbered, so their points are found by their corners.
-real_t LargestDistanceToGmsh(const std::string &path, int &elements)
+// Where MFEM has a point of gmsh's element. Tetrahedra may be renumbered, so
+// their points are found by their corners, the @a nodes in gmsh's order.
+IntegrationPoint LocalPoint(const Element &element, const int *nodes,
+                            const double (&local)[3])
 {
-   const FlatMesh flat = ReadGmshFile(path);
-   const Mesh mesh = BuildMesh(flat);
-   elements = mesh.GetNE();
-   gmsh::initialize(0, nullptr, false);
-   gmsh::option::setNumber("General.Terminal", 0.0);
-   // It complains of what it lacks for cubic prisms, which is not needed here.
-   gmsh::option::setNumber("General.AbortOnError", 0.0);
-   gmsh::open(path);
-   // In gmsh's tetrahedron, prism, hexahedron and pyramid alike.
-   const std::vector<double> points = {0.2, 0.1, 0.3, 0.5, 0.25, 0.2};
-   real_t largest = 0.0;
-   for (int i = 0; i < mesh.GetNE(); i++)
+   const auto [u, v, w] = local;
+   IntegrationPoint point;
+   switch (element.GetGeometryType())
    {
-      std::vector<double> jacobians;
-      std::vector<double> determinants;
-      std::vector<double> positions;
-      gmsh::model::mesh::getJacobian(flat.element_numbers[i], points, jacobians,
-                                     determinants, positions);
-      IsoparametricTransformation map;
-      mesh.GetElementTransformation(i, &map);
-      const Geometry::Type geometry = map.GetGeometryType();
-      for (size_t p = 0; p < points.size() / 3; p++)
+   case Geometry::CUBE:
+      point.Set3((1 + u) / 2, (1 + v) / 2, (1 + w) / 2);
+      break;
+   case Geometry::PRISM:
+      point.Set3(u, v, (1 + w) / 2);
+      break;
+   case Geometry::PYRAMID:
+      point.Set3((1 + u - w) / 2, (1 + v - w) / 2, w);
+      break;
+   default:
+      // Weights of gmsh's corners, handed to MFEM's corners.
+      const double weights[4] = {1 - u - v - w, u, v, w};
+      double mine[4] = {0.0, 0.0, 0.0, 0.0};
+      for (int a = 0; a < 4; a++)
       {
-         const double u = points[3 * p];
-         const double v = points[3 * p + 1];
-         const double w = points[3 * p + 2];
-         IntegrationPoint point;
-         if (geometry == Geometry::CUBE)
+         for (int b = 0; b < 4; b++)
          {
-            point.Set3((1 + u) / 2, (1 + v) / 2, (1 + w) / 2);
-         }
-         else if (geometry == Geometry::PRISM)
-         {
-            point.Set3(u, v, (1 + w) / 2);
-         }
-         else if (geometry == Geometry::PYRAMID)
-         {
-            point.Set3((1 + u - w) / 2, (1 + v - w) / 2, w);
-         }
-         else
-         {
-            // Weights of gmsh's corners, handed to MFEM's corners.
-            const double weights[4] = {1 - u - v - w, u, v, w};
-            double mine[4];
-            int first = 0;
-            for (int e = 0; e < i; e++)
-            {
-               first += flat.shapes[flat.element_shapes[e]].nodes;
-            }
-            const int *const vertices = mesh.GetElement(i)->GetVertices();
-            for (int a = 0; a < 4; a++)
-            {
-               for (int b = 0; b < 4; b++)
-               {
-                  if (vertices[a] == flat.element_nodes[first + b])
-                  {
-                     mine[a] = weights[b];
-                  }
-               }
-            }
-            point.Set3(mine[1], mine[2], mine[3]);
-         }
-         Vector position(3);
-         map.Transform(point, position);
-         for (int d = 0; d < 3; d++)
-         {
-            largest =
-               std::max(largest, std::abs(position(d) - positions[3 * p + d]));
+            mine[a] += element.GetVertices()[a] == nodes[b] ? weights[b] : 0.0;
          }
       }
+      point.Set3(mine[1], mine[2], mine[3]);
    }
-   gmsh::finalize();
+   return point;
+}
+
+// The largest distance between a point of an element in gmsh and the same point
+// of the mesh that MFEM gets.
+real_t LargestDistanceToGmsh(const std::string &model, const GmshFormat &format)
+{
+   const FlatMesh flat = ReadGmshFile(GmshMesh(model, format));
+   const Mesh mesh = BuildMesh(flat);
+   std::map<int, std::vector<GmshPoint>> points;
+   for (const GmshPoint &point : GmshPoints(model, format))
+   {
+      points[point.element].push_back(point);
+   }
+   CHECK(mesh.GetNE() > 3);
+   CHECK(static_cast<int>(points.size()) == mesh.GetNE());
+   real_t largest = 0.0;
+   int first = 0;
+   for (int i = 0; i < mesh.GetNE(); i++)
+   {
+      IsoparametricTransformation map;
+      mesh.GetElementTransformation(i, &map);
+      const std::vector<GmshPoint> &theirs = points[flat.element_numbers[i]];
+      REQUIRE(theirs.size() == std::size(gmsh_local_points));
+      for (size_t p = 0; p < theirs.size(); p++)
+      {
+         Vector place(3);
+         map.Transform(LocalPoint(*mesh.GetElement(i),
+                                  &flat.element_nodes[first],
+                                  gmsh_local_points[p]),
+                       place);
+         largest = std::max(largest, place.DistanceTo(theirs[p].place));
+      }
+      first += flat.shapes[flat.element_shapes[i]].nodes;
+   }
    return largest;
 }
+
+const std::initializer_list<std::string> all_cells = {"tetrahedra", "hexahedra",
+                                                      "prisms"};
 
 // Largest and smallest distance from the origin of the nodal points of a
 // boundary, over all ranks.
@@ -177,13 +170,12 @@ std::pair<real_t, real_t> RangeOfRadius(const NamedMesh &named,
 // The box has the same measures whatever it is made and saved as.
 TEST_CASE("gmsh reader: formats, elements and orders")
 {
-   const Cells cells =
-      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
+   const std::string cells = GENERATE(values<std::string>(all_cells));
    GmshFormat format;
    format.version = GENERATE(2.2, 4.1);
    format.binary = GENERATE(false, true);
    format.order = GENERATE(1, 2, 3);
-   const NamedMesh mesh = SaveAndRead(format, [&]() { BuildBox(cells); });
+   const NamedMesh mesh = Read("box_" + cells, format);
 
    CHECK(NodalOrder(mesh) == format.order);
    CHECK(mesh.Get().GetNE() > 0);
@@ -201,45 +193,30 @@ TEST_CASE("gmsh reader: formats, elements and orders")
 // Each element of MFEM's mesh is the map that gmsh has for it, also inside.
 TEST_CASE("gmsh reader: curved elements are gmsh's")
 {
-   const TemporaryDirectory directory;
-   const auto distance =
-      [&](const GmshFormat &format, const std::function<void()> &build)
-   {
-      int elements = 0;
-      const real_t largest = LargestDistanceToGmsh(
-         SaveWithGmsh(directory, format, build), elements);
-      CHECK(elements > 3);
-      MPI_Barrier(MPI_COMM_WORLD);
-      return largest;
-   };
+   GmshFormat format;
    SECTION("swept cylinders")
    {
-      const Cells cells =
-         GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
-      GmshFormat format;
+      const std::string cells = GENERATE(values<std::string>(all_cells));
       format.order = GENERATE(1, 2, 3);
       format.serendipity = format.order == 2 && GENERATE(false, true);
-      CHECK(distance(format, [&]() { BuildCylinder(cells, 0.9); }) < 1e-9);
+      CHECK(LargestDistanceToGmsh("cylinder_" + cells + "_0.9", format) < 1e-9);
    }
    SECTION("a ball of order 4")
    {
-      CHECK(distance(OfOrder(4), []() { BuildBall(1.0); }) < 1e-9);
+      CHECK(LargestDistanceToGmsh("ball_1", OfOrder(4)) < 1e-9);
    }
    SECTION("bent pyramids")
    {
-      GmshFormat format;
       format.order = GENERATE(1, 2);
       format.serendipity = GENERATE(false, true);
-      CHECK(distance(format, BuildPyramids) < 1e-9);
+      CHECK(LargestDistanceToGmsh("pyramids", format) < 1e-9);
    }
 }
 
 // The first element gets nodes of its own between its corners.
 TEST_CASE("gmsh reader: curved elements that do not fit together")
 {
-   const TemporaryDirectory directory;
-   FlatMesh flat = ReadGmshFile(SaveWithGmsh(
-      directory, OfOrder(2), []() { BuildBox(Cells::hexahedra); }));
+   FlatMesh flat = ReadGmshFile(GmshMesh("box_hexahedra", OfOrder(2)));
    REQUIRE(flat.element_shapes.size() > 1);
    CHECK(BuildMesh(flat).GetNE() > 1);
    for (int i = 8; i < flat.shapes[flat.element_shapes[0]].nodes; i++)
@@ -263,8 +240,7 @@ TEST_CASE("gmsh reader: incomplete elements of order 3 are refused")
    GmshFormat format;
    format.order = 3;
    format.serendipity = true;
-   const auto build = []() { BuildCylinder(Cells::hexahedra, 0.9); };
-   CHECK_THROWS_WITH(SaveAndRead(format, build),
+   CHECK_THROWS_WITH(Read("cylinder_hexahedra_0.9", format),
                      Catch::Contains("there is no element type 39, or it is "
                                      "not supported: complete elements are, "
                                      "and incomplete ones of order 2"));
@@ -274,20 +250,18 @@ TEST_CASE("gmsh reader: incomplete elements of order 3 are refused")
 // parabola of fourth.
 TEST_CASE("gmsh reader: the volume of a curved cylinder converges")
 {
-   const Cells cells =
-      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
-   const auto error = [&](int order, double size)
+   const std::string cells = GENERATE(values<std::string>(all_cells));
+   const auto error = [&](int order, const std::string &size)
    {
       const NamedMesh mesh =
-         SaveAndRead(OfOrder(order), [&]() { BuildCylinder(cells, size); });
+         Read("cylinder_" + cells + "_" + size, OfOrder(order));
       return std::abs(RegionVolume(mesh, "cylinder") / (2 * pi) - 1.0);
    };
-   CHECK(error(1, 0.4) > 1e-2);
-   CHECK(error(2, 0.8) < 5e-3);
-   CHECK(error(2, 0.4) < error(2, 0.8) / 8);
+   CHECK(error(1, "0.4") > 1e-2);
+   CHECK(error(2, "0.8") < 5e-3);
+   CHECK(error(2, "0.4") < error(2, "0.8") / 8);
 
-   const NamedMesh mesh =
-      SaveAndRead(OfOrder(2), [&]() { BuildCylinder(cells, 0.4); });
+   const NamedMesh mesh = Read("cylinder_" + cells + "_0.4", OfOrder(2));
    CHECK(BoundaryArea(mesh, "mantle") == Approx(4 * pi).epsilon(1e-3));
    CHECK(BoundaryArea(mesh, "top") == Approx(pi).epsilon(1e-3));
    CHECK(mesh.Boundary("mantle")[0] == 13);
@@ -296,12 +270,8 @@ TEST_CASE("gmsh reader: the volume of a curved cylinder converges")
 // gmsh puts the nodes on the sphere, and those of order 2 are MFEM's.
 TEST_CASE("gmsh reader: the nodes of a ball lie on the sphere")
 {
-   const auto range = [](int order, const ReadOptions &options)
-   {
-      return RangeOfRadius(
-         SaveAndRead(
-            OfOrder(order), []() { BuildBall(0.5); }, options),
-         "sphere");
+   const auto range = [](int order, const ReadOptions &options) {
+      return RangeOfRadius(Read("ball_0.5", OfOrder(order), options), "sphere");
    };
    const auto second = range(2, ReadOptions());
    CHECK(second.first == Approx(1.0).margin(1e-10));
@@ -325,10 +295,7 @@ TEST_CASE("gmsh reader: the nodes of a ball lie on the sphere")
 TEST_CASE("gmsh reader: scale and refinement")
 {
    const auto read = [](const ReadOptions &options)
-   {
-      return SaveAndRead(
-         GmshFormat(), []() { BuildBox(Cells::hexahedra); }, options);
-   };
+   { return Read("box_hexahedra", GmshFormat(), options); };
    ReadOptions options;
    const NamedMesh as_it_is = read(options);
    options.scale = 10.0;
@@ -342,19 +309,7 @@ TEST_CASE("gmsh reader: scale and refinement")
 // Bodies that touch without common nodes stay apart.
 TEST_CASE("gmsh reader: two bodies")
 {
-   const NamedMesh mesh =
-      SaveAndRead(GmshFormat(),
-                  []()
-                  {
-                     gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
-                     gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
-                     gmsh::model::occ::addBox(0, 0, 1, 1, 1, 2);
-                     gmsh::model::occ::synchronize();
-                     Group(3, {1}, 1, "lower");
-                     Group(3, {2}, 2, "upper");
-                     Group(2, {6}, 3, "lower top");
-                     Group(2, {11}, 4, "upper bottom");
-                  });
+   const NamedMesh mesh = Read("two_bodies");
    CHECK(RegionVolume(mesh, "lower") == Approx(1.0));
    CHECK(RegionVolume(mesh, "upper") == Approx(2.0));
    CHECK(BoundaryArea(mesh, "lower top") == Approx(1.0));
@@ -368,20 +323,7 @@ TEST_CASE("gmsh reader: groups that overlap")
    GmshFormat format;
    format.version = GENERATE(2.2, 4.1);
    format.binary = GENERATE(false, true);
-   const NamedMesh mesh =
-      SaveAndRead(format,
-                  []()
-                  {
-                     gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
-                     gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
-                     gmsh::model::occ::addBox(2, 0, 0, 1, 1, 3);
-                     gmsh::model::occ::synchronize();
-                     Group(3, {1}, 1, "small");
-                     Group(3, {1, 2}, 2, "all");
-                     Group(2, {5, 6}, 7, "ends");
-                     Group(2, {5}, 8, "bottom");
-                     gmsh::model::addPhysicalGroup(2, {1}, 9);
-                  });
+   const NamedMesh mesh = Read("overlapping_groups", format);
    CHECK(RegionVolume(mesh, "small") == Approx(1.0));
    CHECK(RegionVolume(mesh, "all") == Approx(4.0));
    CHECK(mesh.Region("small").Size() == 1);
@@ -401,37 +343,7 @@ TEST_CASE("gmsh reader: groups that overlap")
 // Where two regions share faces there is no boundary.
 TEST_CASE("gmsh reader: surfaces between two regions")
 {
-   const NamedMesh mesh = SaveAndRead(
-      GmshFormat(),
-      []()
-      {
-         gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
-         gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
-         gmsh::model::occ::addBox(0, 0, 1, 1, 1, 1);
-         gmsh::vectorpair parts;
-         std::vector<gmsh::vectorpair> origins;
-         gmsh::model::occ::fragment({{3, 1}}, {{3, 2}}, parts, origins);
-         gmsh::model::occ::synchronize();
-         Group(3, {1}, 1, "lower");
-         Group(3, {2}, 2, "upper");
-         gmsh::vectorpair surfaces;
-         gmsh::model::getEntities(surfaces, 2);
-         std::vector<int> inner;
-         std::vector<int> all;
-         for (const auto &surface : surfaces)
-         {
-            all.push_back(surface.second);
-            std::vector<int> up;
-            std::vector<int> down;
-            gmsh::model::getAdjacencies(2, surface.second, up, down);
-            if (up.size() == 2)
-            {
-               inner.push_back(surface.second);
-            }
-         }
-         Group(2, inner, 1, "interface");
-         Group(2, all, 2, "all");
-      });
+   const NamedMesh mesh = Read("shared_face");
    CHECK(RegionVolume(mesh, "lower") == Approx(1.0));
    CHECK(BoundaryArea(mesh, "all") == Approx(10.0));
    CHECK(mesh.Boundaries().count("interface") == 1);
@@ -446,20 +358,9 @@ TEST_CASE("gmsh reader: partitioned and parametric files")
 {
    GmshFormat format;
    format.binary = GENERATE(false, true);
-   const bool partitioned = GENERATE(false, true);
-   const NamedMesh mesh = SaveAndRead(
-      format,
-      [&]()
-      {
-         BuildBox(Cells::tetrahedra);
-         gmsh::option::setNumber("Mesh.SaveParametric", 1.0);
-         gmsh::model::mesh::generate(3);
-         if (partitioned)
-         {
-            gmsh::option::setNumber("Mesh.PartitionCreateGhostCells", 1.0);
-            gmsh::model::mesh::partition(3);
-         }
-      });
+   const std::string model =
+      GENERATE(values<std::string>({"parametric", "partitioned"}));
+   const NamedMesh mesh = Read(model, format);
    CHECK(RegionVolume(mesh, "box") == Approx(6.0));
    CHECK(BoundaryArea(mesh, "sides") == Approx(18.0));
    CHECK(mesh.Get().bdr_attributes.Size() == 3);
@@ -519,13 +420,10 @@ TEST_CASE("gmsh reader: left-handed elements")
 TEST_CASE("gmsh reader: left-handed curved elements")
 {
    // In a mirror, gmsh's elements of any type are left-handed.
-   const Cells cells =
-      GENERATE(Cells::tetrahedra, Cells::hexahedra, Cells::prisms);
-   const TemporaryDirectory directory;
-   std::string text =
-      SavedText(directory, OfOrder(2), [&]() { BuildCylinder(cells, 0.7); });
-   const NamedMesh as_it_is = ReadGmsh(directory / "mesh.msh", MPI_COMM_WORLD);
-   const NamedMesh mirrored = ReadMeshText(MirrorMsh(text));
+   const std::string cells = GENERATE(values<std::string>(all_cells));
+   const std::string path = GmshMesh("cylinder_" + cells + "_0.7", OfOrder(2));
+   const NamedMesh as_it_is = ReadGmsh(path, MPI_COMM_WORLD);
+   const NamedMesh mirrored = ReadMeshText(MirrorMsh(ReadText(path)));
    CHECK(RegionVolume(mirrored, "cylinder") ==
          Approx(RegionVolume(as_it_is, "cylinder")));
    CHECK(BoundaryArea(mirrored, "mantle") ==

@@ -2,14 +2,15 @@
 
 // ranks: 1 2 3
 // timeout: 300
+// fixtures: gmsh_meshes
 
 #include "support/gmsh_meshes.hpp"
 #include "support/msh_text.hpp"
+#include "support/temporary_directory.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 
 #include <catch2/catch.hpp>
-#include <gmsh.h>
 
 #include <algorithm>
 
@@ -47,10 +48,10 @@ std::string ErrorOf(const TemporaryDirectory &directory,
    return message.substr(std::min(start.size(), message.size()));
 }
 
-std::string ErrorOfModel(const std::function<void()> &build)
+std::string ErrorOfModel(const std::string &model)
 {
    const TemporaryDirectory directory;
-   return ErrorOf(directory, SavedText(directory, GmshFormat(), build));
+   return ErrorOf(directory, ReadText(GmshMesh(model)));
 }
 
 } // namespace
@@ -137,8 +138,7 @@ TEST_CASE("gmsh reader errors: files that are cut off")
    format.version = GENERATE(2.2, 4.1);
    format.binary = GENERATE(false, true);
    const TemporaryDirectory directory;
-   const std::string text =
-      SavedText(directory, format, []() { BuildBox(Cells::hexahedra); });
+   const std::string text = ReadText(GmshMesh("box_hexahedra", format));
    const size_t end = text.find("$EndElements");
    REQUIRE(end != std::string::npos);
    for (size_t i = 1; i < 40; i++)
@@ -159,8 +159,7 @@ TEST_CASE("gmsh reader errors: files with damaged bytes")
    format.version = GENERATE(2.2, 4.1);
    format.binary = GENERATE(false, true);
    const TemporaryDirectory directory;
-   const std::string text =
-      SavedText(directory, format, []() { BuildBox(Cells::prisms); });
+   const std::string text = ReadText(GmshMesh("box_prisms", format));
    const char damage = GENERATE('\xff', '\0', '7');
    for (size_t i = 0; i < 40; i++)
    {
@@ -184,34 +183,17 @@ TEST_CASE("gmsh reader errors: files with damaged bytes")
 
 TEST_CASE("gmsh reader errors: no volume")
 {
-   CHECK_THAT(ErrorOfModel(
-                 []()
-                 {
-                    gmsh::model::occ::addRectangle(0, 0, 0, 1, 1);
-                    gmsh::model::occ::synchronize();
-                    Group(2, {1}, 1, "square");
-                 }),
+   CHECK_THAT(ErrorOfModel("square"),
               Catch::StartsWith("the mesh has no volume elements, but ") &&
                  Catch::EndsWith(" surface elements; is it two-dimensional, or "
                                  "are only its surfaces in physical groups?"));
-   CHECK_THAT(ErrorOfModel(
-                 []()
-                 {
-                    BuildBall(1.0);
-                    gmsh::model::removePhysicalGroups({{3, 4}});
-                 }),
+   CHECK_THAT(ErrorOfModel("hollow_ball"),
               Catch::StartsWith("the mesh has no volume elements, but "));
 }
 
 TEST_CASE("gmsh reader errors: volumes without a group")
 {
-   CHECK_THAT(ErrorOfModel(
-                 []()
-                 {
-                    BuildBall(1.0);
-                    gmsh::model::removePhysicalGroups();
-                    gmsh::option::setNumber("Mesh.SaveAll", 1.0);
-                 }),
+   CHECK_THAT(ErrorOfModel("ball_without_groups"),
               Catch::Contains("volume elements are in no physical group; the "
                               "first is element ") &&
                  Catch::EndsWith(" of volume 1; put every volume into a "
@@ -226,15 +208,7 @@ TEST_CASE("gmsh reader errors: volumes without a group")
 
 TEST_CASE("gmsh reader errors: a surface without a volume")
 {
-   CHECK_THAT(ErrorOfModel(
-                 []()
-                 {
-                    BuildBall(1.0);
-                    const int other =
-                       gmsh::model::occ::addRectangle(5, 5, 5, 1, 1);
-                    gmsh::model::occ::synchronize();
-                    Group(2, {other}, 9, "plate");
-                 }),
+   CHECK_THAT(ErrorOfModel("ball_and_plate"),
               Catch::Contains(" surface elements are no face of a volume "
                               "element; the first is element ") &&
                  Catch::EndsWith(" in the physical surface \"plate\"; is a "

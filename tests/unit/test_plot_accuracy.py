@@ -17,11 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "scripts"))
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "scripts/lib"))
 sys.dont_write_bytecode = True
 
-try:
-    import plot_accuracy
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(242)
+import plot_accuracy
 
 from synovia_output import reference  # noqa: E402
 

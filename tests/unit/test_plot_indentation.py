@@ -9,14 +9,8 @@ import sys
 import tempfile
 import unittest
 
-try:
-    import matplotlib  # noqa: F401
-    import numpy as np
-    import pyvista  # noqa: F401
-    from matplotlib.collections import LineCollection
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(242)
+import numpy as np
+from matplotlib.collections import LineCollection
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]

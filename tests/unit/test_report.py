@@ -13,13 +13,8 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
-try:
-    import matplotlib  # noqa: F401
-    import numpy as np
-    import pyvista
-except ImportError as missing:
-    print(f"skipped: {missing}")
-    sys.exit(242)
+import numpy as np
+import pyvista
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]
