@@ -243,7 +243,7 @@ TEST_CASE("Finite deformation refuses what it can't do yet")
                      Catch::Contains("give a traction by its components"));
    CHECK_THROWS_WITH(problem.Operator(),
                      Catch::Contains("the solid of \"body\" is a law of "
-                                     "infinitesimal strain"));
+                                     "infinitesimal deformation"));
 }
 
 TEST_CASE("Unconfined compression by 20 % meets the references")
