@@ -35,10 +35,10 @@ AugmentedLagrangian::AugmentedLagrangian(ContactConstraint &constraint_,
 
 void AugmentedLagrangian::SetHeldPressures(const Array<int> &vertices)
 {
-   pressure_held = false;
-   for (const int vertex : vertices)
+   const Array<int> &own = destination.Vertices().TrueDofs();
+   for (int j = 0; j < own.Size(); j++)
    {
-      pressure_held[vertex] = true;
+      pressure_held[j] = vertices.FindSorted(own[j]) >= 0;
    }
 }
 

@@ -44,9 +44,9 @@ public:
                        const ContactScales &scales,
                        const ContactOptions &options);
 
-   /// Vertices (multiplier true dofs) whose pressure boundary conditions hold:
-   /// no fluid passes those of the destination, as no pressure of theirs could
-   /// close the jump.
+   /// Vertices (multiplier true dofs, ascending) whose pressure boundary
+   /// conditions hold: no fluid passes those of the destination, as no pressure
+   /// of theirs could close the jump.
    void SetHeldPressures(const mfem::Array<int> &vertices);
    /// For steps of length @a dt (time); until then for steady flow.
    void SetTimeStep(mfem::real_t dt);

@@ -1,5 +1,4 @@
 #include "synovia/contact/contact_area.hpp"
-#include "synovia/contact/shared_dofs.hpp"
 #include "synovia/general/reduce.hpp"
 
 namespace synovia
@@ -105,16 +104,15 @@ Vector VertexMeans(const ContactSurface &destination,
                    const std::vector<FaceCoverage> &coverage,
                    const Vector &values)
 {
-   const ParFiniteElementSpace &space = destination.Spaces().Multiplier();
-   const Vector local = Share(space, values);
+   const SurfaceVertices &surface = destination.Vertices();
+   const Vector local = surface.Share(values);
    Vector integrals(local.Size());
    Vector areas(local.Size());
    integrals = 0.0;
    areas = 0.0;
    for (const FaceCoverage &covered : coverage)
    {
-      const Array<int> &vertices =
-         destination.Faces()[covered.face].MultiplierDofs();
+      const Array<int> &vertices = destination.Faces()[covered.face].Vertices();
       for (int j = 0; j < vertices.Size(); j++)
       {
          integrals[vertices[j]] +=
@@ -122,8 +120,8 @@ Vector VertexMeans(const ContactSurface &destination,
          areas[vertices[j]] += covered.area[j];
       }
    }
-   Vector means = SumShared(space, integrals);
-   areas = SumShared(space, areas);
+   Vector means = surface.SumShared(integrals);
+   areas = surface.SumShared(areas);
    for (int j = 0; j < means.Size(); j++)
    {
       means[j] = areas[j] > 0.0 ? means[j] / areas[j] : 0.0;
@@ -135,20 +133,18 @@ real_t NegativeArea(const ContactSurface &destination,
                     const std::vector<FaceCoverage> &coverage,
                     const Vector &values)
 {
-   BiphasicSpaces &spaces = destination.Spaces();
-   const Vector local = Share(spaces.Multiplier(), values);
+   const Vector local = destination.Vertices().Share(values);
    real_t area = 0.0;
    for (const FaceCoverage &covered : coverage)
    {
-      const Array<int> &vertices =
-         destination.Faces()[covered.face].MultiplierDofs();
+      const Array<int> &vertices = destination.Faces()[covered.face].Vertices();
       const Shares shares = NegativeShares(vertices, local);
       for (int j = 0; j < vertices.Size(); j++)
       {
          area += shares[j] * covered.area[j];
       }
    }
-   return SumOverRanks(area, spaces.GetComm());
+   return SumOverRanks(area, destination.Spaces().GetComm());
 }
 
 } // namespace synovia

@@ -10,8 +10,8 @@ namespace synovia
 
 /// Means of a function around the vertices, int phi_j f / int phi_j over what
 /// the source covers, or zero where it covers nothing. The function has
-/// @a values at the vertices (true dofs of the multiplier, as the result) and
-/// is linear between them. Of a face that is covered in part, each vertex's
+/// @a values at the destination's vertices, as the result has, and is linear
+/// between them. Of a face that is covered in part, each vertex's
 /// part counts as on the whole face. Collective.
 mfem::Vector VertexMeans(const ContactSurface &destination,
                          const std::vector<FaceCoverage> &coverage,

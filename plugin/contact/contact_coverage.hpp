@@ -19,13 +19,12 @@ struct FaceCoverage
 };
 
 /// Which parts of two surfaces see each other. Vectors have an entry for each
-/// vertex of the destination, phi_j is its shape function, and integrals run
-/// over what the source covers.
+/// of this rank's vertices of the destination (SurfaceVertices), phi_j is its
+/// shape function, and integrals run over what the source covers.
 struct ContactCoverage
 {
-   /// Source vertices x destination vertices (both as multiplier true dofs):
-   /// int psi_k phi_j, area of source vertex k that destination vertex j
-   /// covers.
+   /// Source vertices x destination vertices: int psi_k phi_j, area of source
+   /// vertex k that destination vertex j covers.
    std::unique_ptr<mfem::HypreParMatrix> coverage;
    /// a_j = int phi_j (area), 0 where the vertex sees nothing.
    mfem::Vector area;

@@ -38,13 +38,12 @@ Point3 SumOfMoments(const Vector &force, const Vector &position,
                     const Array<int> &dofs, MPI_Comm comm)
 {
    Point3 sum{{0.0, 0.0, 0.0}};
-   for (const int dof : dofs)
+   // The three of a node follow each other.
+   for (int i = 0; i < dofs.Size(); i += 3)
    {
-      const int x = dof - dof % 3;
-      Point3 single{{0.0, 0.0, 0.0}};
-      single[dof % 3] = force[dof];
-      sum = Sum(sum, 1.0,
-                Cross({position[x], position[x + 1], position[x + 2]}, single));
+      const Point3 x{position[i], position[i + 1], position[i + 2]};
+      const Point3 f{force[dofs[i]], force[dofs[i] + 1], force[dofs[i] + 2]};
+      sum = Sum(sum, 1.0, Cross(x, f));
    }
    return SumOverRanks(sum, comm);
 }
@@ -107,16 +106,15 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
    mass = 0.0;
    pair.AddForces(momentum, mass);
    momentum.HostRead();
-   const Vector &positions = pair.Geometry().Positions();
-   positions.HostRead();
    const Array<int> &source_dofs = pair.Source().DisplacementTrueDofs();
    const Array<int> &destination_dofs =
       pair.Destination().DisplacementTrueDofs();
    result.source_force = SumOfDofs(momentum, source_dofs, comm);
    result.destination_force = SumOfDofs(momentum, destination_dofs, comm);
-   result.source_moment = SumOfMoments(momentum, positions, source_dofs, comm);
-   result.destination_moment =
-      SumOfMoments(momentum, positions, destination_dofs, comm);
+   result.source_moment = SumOfMoments(
+      momentum, pair.Geometry().SourcePositions(), source_dofs, comm);
+   result.destination_moment = SumOfMoments(
+      momentum, pair.Geometry().DestinationPositions(), destination_dofs, comm);
    result.fluid_load_support = FluidLoadSupport(pair);
    result.area = ContactArea(pair);
    const ContactViolations violations = pair.Enforcement().FindViolations();

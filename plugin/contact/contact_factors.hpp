@@ -8,7 +8,7 @@ namespace synovia
 {
 
 /// What a contact pair adds to the linearized equations of a stage, as factors
-/// of true-dof matrices; m are the multiplier's true dofs:
+/// of true-dof matrices; m are the destination's vertices (SurfaceVertices):
 ///
 ///     momentum:  (G^T W R + force_change) du
 ///     mass:      dt (J^T W_p jump_change + outflow_change) du

@@ -27,17 +27,23 @@ ContactGeometry::ContactGeometry(const std::string &pair_,
    : pair(pair_), comm(spaces.GetComm()), source(spaces, source_boundary),
      destination(spaces, destination_boundary),
      overlap_limit(scales.overlap_limit), source_areas(NodalAreas(source)),
-     destination_areas(NodalAreas(destination)),
-     reference_positions(NodePositions(spaces.Displacement())),
-     positions(reference_positions)
+     destination_areas(NodalAreas(destination))
 {
+   const Vector nodes = NodePositions(spaces.Displacement());
+   nodes.HostRead();
+   nodes.GetSubVector(source.DisplacementTrueDofs(),
+                      source_positions.reference);
+   nodes.GetSubVector(destination.DisplacementTrueDofs(),
+                      destination_positions.reference);
+   source_positions.now = source_positions.reference;
+   destination_positions.now = destination_positions.reference;
    options.search_radius = scales.search_radius;
    options.quadrature_order = contact.quadrature_order;
    options.normal = contact.normal;
    int shared = 0;
-   for (const int dof : source.MultiplierTrueDofs())
+   for (const int dof : source.Vertices().TrueDofs())
    {
-      shared += destination.MultiplierTrueDofs().FindSorted(dof) >= 0;
+      shared += destination.Vertices().TrueDofs().FindSorted(dof) >= 0;
    }
    if (AnyRank(shared > 0, comm))
    {
@@ -52,7 +58,13 @@ void ContactGeometry::SetDisplacement(const Vector &u)
    u.HostRead();
    source.SetDisplacement(u);
    destination.SetDisplacement(u);
-   add(reference_positions, u, positions);
+   const auto move = [&u](const ContactSurface &surface, Positions &positions)
+   {
+      u.GetSubVector(surface.DisplacementTrueDofs(), positions.now);
+      positions.now += positions.reference;
+   };
+   move(source, source_positions);
+   move(destination, destination_positions);
 }
 
 GapOperators ContactGeometry::Search() const

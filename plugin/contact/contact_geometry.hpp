@@ -20,12 +20,16 @@ public:
 
    const ContactSurface &Source() const { return source; }
    const ContactSurface &Destination() const { return destination; }
-   /// Areas of the surfaces' vertices, whatever meets them (area).
+   /// Of the surfaces' vertices, whatever meets them (area).
    const mfem::Vector &SourceAreas() const { return source_areas; }
    const mfem::Vector &DestinationAreas() const { return destination_areas; }
-   /// Of the displacement's nodes, at the last SetDisplacement() (true dofs,
-   /// length).
-   const mfem::Vector &Positions() const { return positions; }
+   /// Of the surfaces' nodes at the last SetDisplacement(), in the order of
+   /// ContactSurface::DisplacementTrueDofs() (length).
+   const mfem::Vector &SourcePositions() const { return source_positions.now; }
+   const mfem::Vector &DestinationPositions() const
+   {
+      return destination_positions.now;
+   }
 
    /// Moves the surfaces to displacement @a u (true dofs). Collective.
    void SetDisplacement(const mfem::Vector &u);
@@ -49,8 +53,13 @@ private:
    mfem::real_t overlap_limit;
    mfem::Vector source_areas;
    mfem::Vector destination_areas;
-   mfem::Vector reference_positions;
-   mfem::Vector positions;
+   struct Positions
+   {
+      mfem::Vector reference;
+      mfem::Vector now;
+   };
+   Positions source_positions;
+   Positions destination_positions;
 };
 
 } // namespace synovia

@@ -47,21 +47,29 @@ bool ContactPair::Search(const Vector &u)
    return found_anew;
 }
 
-Vector ContactPair::SealedVertices() const
+void ContactPair::MarkSealed(Vector &sealed) const
 {
    const Vector sealing = State().Sealing();
-   Vector covered(sealing.Size());
-   Coverage().coverage->Mult(sealing, covered);
-   covered.HostReadWrite();
+   const Array<int> &destination_dofs = Destination().Vertices().TrueDofs();
+   for (int j = 0; j < sealing.Size(); j++)
+   {
+      if (sealing[j] > 0.5)
+      {
+         sealed[destination_dofs[j]] = 1.0;
+      }
+   }
    const Vector &areas = geometry.SourceAreas();
+   const Array<int> &source_dofs = Source().Vertices().TrueDofs();
+   Vector covered(areas.Size());
+   Coverage().coverage->Mult(sealing, covered);
+   covered.HostRead();
    for (int k = 0; k < covered.Size(); k++)
    {
-      const bool sealed =
-         sealing[k] > 0.5 ||
-         (covered[k] > 0.0 && covered[k] > source_coverage * areas[k]);
-      covered[k] = sealed ? 1.0 : 0.0;
+      if (covered[k] > 0.0 && covered[k] > source_coverage * areas[k])
+      {
+         sealed[source_dofs[k]] = 1.0;
+      }
    }
-   return covered;
 }
 
 void ContactPair::AddForces(Vector &momentum, Vector &mass) const

@@ -13,8 +13,9 @@ namespace synovia
 /// gap and pressure jump, and what enforces it, put together into what the
 /// pair adds to the balance of momentum and mass.
 ///
-/// Frictionless and biphasic; see FrictionlessLaw. Vectors have one entry for
-/// each vertex of the destination, as multiplier true dofs.
+/// Frictionless and biphasic; see FrictionlessLaw. Vectors have an entry for
+/// each of this rank's vertices of the destination (SurfaceVertices): pairs are
+/// as large as their surfaces, whatever the mesh.
 class ContactPair
 {
 public:
@@ -42,9 +43,9 @@ public:
    void SearchAt(const mfem::Vector &u) { constraint->SearchAt(u); }
    bool Search(const mfem::Vector &u);
 
-   /// 1 for the vertices of either surface that this pair seals, multiplier
-   /// true dofs. Collective.
-   mfem::Vector SealedVertices() const;
+   /// Sets 1 in @a sealed (multiplier true dofs) for the vertices of either
+   /// surface that this pair seals. Collective.
+   void MarkSealed(mfem::Vector &sealed) const;
 
    /// Adds the nodal contact forces to @a momentum (force), and the fluid that
    /// contact moves out of the nodes to @a mass (volume / time). Collective.

@@ -41,9 +41,8 @@ Vector ContactState::Sealing() const
 void ContactState::Archive(StateArchive &archive, const std::string &prefix,
                            const ContactSurface &destination)
 {
-   ParFiniteElementSpace &space = destination.Spaces().Multiplier();
    const auto field = [&](const std::string &name, Vector &values)
-   { archive.Field(prefix + name, space, values); };
+   { destination.Archive(archive, prefix + name, values); };
    const char *times[2] = {"before_last.", "last."};
    for (int i = 0; i < 2; i++)
    {

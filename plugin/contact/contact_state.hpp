@@ -21,8 +21,9 @@ struct VertexContact
    bool seal_broke = false;
 };
 
-/// Everything about a contact pair that a step changes, by vertex of the
-/// destination. Copies of it are what a failed step goes back to.
+/// Everything about a contact pair that a step changes, for each of this rank's
+/// vertices of the destination. Copies of it are what a failed step goes back
+/// to.
 struct ContactState
 {
    explicit ContactState(int vertices_);

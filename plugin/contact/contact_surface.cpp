@@ -6,7 +6,8 @@ namespace synovia
 
 using namespace mfem;
 
-DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
+DeformedFace::DeformedFace(BiphasicSpaces &spaces,
+                           const SurfaceVertices &surface, int boundary_element)
    : geometry(spaces.GetMesh().GetBdrElementGeometry(boundary_element)),
      element(spaces.Displacement().GetBE(boundary_element))
 {
@@ -21,7 +22,11 @@ DeformedFace::DeformedFace(BiphasicSpaces &spaces, int boundary_element)
       }
    }
    spaces.Pressure().GetBdrElementDofs(boundary_element, p_dofs);
-   spaces.Multiplier().GetBdrElementDofs(boundary_element, m_dofs);
+   spaces.Multiplier().GetBdrElementDofs(boundary_element, vertices);
+   for (int &vertex : vertices)
+   {
+      vertex = surface.Local(vertex);
+   }
 
    IsoparametricTransformation trans;
    spaces.GetMesh().GetBdrElementTransformation(boundary_element, &trans);
@@ -78,7 +83,8 @@ Box DeformedFace::CurrentBox() const
 
 ContactSurface::ContactSurface(BiphasicSpaces &spaces_,
                                const Array<int> &boundary_)
-   : spaces(spaces_), boundary(boundary_)
+   : spaces(spaces_), boundary(boundary_),
+     vertices(spaces, BoundaryMarker(spaces.GetMesh(), boundary))
 {
    ParMesh &mesh = spaces.GetMesh();
    const Array<int> marker = BoundaryMarker(mesh, boundary);
@@ -86,12 +92,11 @@ ContactSurface::ContactSurface(BiphasicSpaces &spaces_,
    {
       if (marker[mesh.GetBdrAttribute(i) - 1])
       {
-         faces.emplace_back(spaces, i);
+         faces.emplace_back(spaces, vertices, i);
       }
    }
    spaces.Displacement().GetEssentialTrueDofs(marker, u_tdofs);
    spaces.Pressure().GetEssentialTrueDofs(marker, p_tdofs);
-   spaces.Multiplier().GetEssentialTrueDofs(marker, m_tdofs);
 }
 
 void ContactSurface::SetDisplacement(const Vector &u)
@@ -103,6 +108,14 @@ void ContactSurface::SetDisplacement(const Vector &u)
    {
       face.SetDisplacement(field);
    }
+}
+
+void ContactSurface::Archive(StateArchive &archive, const std::string &name,
+                             Vector &values) const
+{
+   Vector all = vertices.ToTrueDofs(values);
+   archive.Field(name, spaces.Multiplier(), all);
+   values = vertices.FromTrueDofs(all);
 }
 
 } // namespace synovia

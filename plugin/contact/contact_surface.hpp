@@ -2,8 +2,10 @@
 
 #include "synovia/contact/bounding_volume_tree.hpp"
 #include "synovia/contact/face_polynomial.hpp"
-#include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/contact/surface_vertices.hpp"
+#include "synovia/general/state_archive.hpp"
 
+#include <string>
 #include <vector>
 
 namespace synovia
@@ -16,8 +18,10 @@ class DeformedFace
 {
 public:
    /// @param spaces      borrowed, outlives the object
+   /// @param surface     the vertices of the surface that the face belongs to
    /// @param element     number of the boundary element on this rank
-   DeformedFace(BiphasicSpaces &spaces, int element);
+   DeformedFace(BiphasicSpaces &spaces, const SurfaceVertices &surface,
+                int element);
 
    /// Takes the nodal displacements from @a u (a grid function's local dofs).
    void SetDisplacement(const mfem::Vector &u);
@@ -26,7 +30,8 @@ public:
    /// Local dofs of the face, node by node: x, y, z of node 0, then node 1, ...
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
-   const mfem::Array<int> &MultiplierDofs() const { return m_dofs; }
+   /// Local vertices, as SurfaceVertices numbers them.
+   const mfem::Array<int> &Vertices() const { return vertices; }
 
    /// A point of the face in the reference and in the current configuration;
    /// normals point outwards.
@@ -52,7 +57,7 @@ private:
    const mfem::FiniteElement *element;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
-   mfem::Array<int> m_dofs;
+   mfem::Array<int> vertices;
    FacePolynomial reference;
    FacePolynomial current;
    // Displacement dofs x powers of the polynomials.
@@ -64,13 +69,19 @@ private:
 class ContactSurface
 {
 public:
-   /// Borrows @a spaces; @a boundary lists the attributes.
+   /// Borrows @a spaces; @a boundary lists the attributes. Collective.
    ContactSurface(BiphasicSpaces &spaces, const mfem::Array<int> &boundary);
 
    /// Moves the faces to the displacement @a u (true dofs). Collective.
    void SetDisplacement(const mfem::Vector &u);
 
+   /// An archive's field of the multiplier that is @a values at the vertices,
+   /// and zero off the surface. Collective.
+   void Archive(StateArchive &archive, const std::string &name,
+                mfem::Vector &values) const;
+
    const std::vector<DeformedFace> &Faces() const { return faces; }
+   const SurfaceVertices &Vertices() const { return vertices; }
    BiphasicSpaces &Spaces() const { return spaces; }
    /// The attributes.
    const mfem::Array<int> &Boundary() const { return boundary; }
@@ -78,15 +89,14 @@ public:
    /// True dofs of the surface, ascending.
    const mfem::Array<int> &DisplacementTrueDofs() const { return u_tdofs; }
    const mfem::Array<int> &PressureTrueDofs() const { return p_tdofs; }
-   const mfem::Array<int> &MultiplierTrueDofs() const { return m_tdofs; }
 
 private:
    BiphasicSpaces &spaces;
    mfem::Array<int> boundary;
+   SurfaceVertices vertices;
    std::vector<DeformedFace> faces;
    mfem::Array<int> u_tdofs;
    mfem::Array<int> p_tdofs;
-   mfem::Array<int> m_tdofs;
 };
 
 } // namespace synovia

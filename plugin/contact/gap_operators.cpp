@@ -1,6 +1,5 @@
 #include "synovia/contact/gap_operators.hpp"
 #include "synovia/contact/segmentation.hpp"
-#include "synovia/contact/shared_dofs.hpp"
 #include "synovia/contact/surface_search.hpp"
 #include "synovia/general/parallel_triplets.hpp"
 
@@ -136,25 +135,13 @@ struct FaceBlocks
 struct SourceSide
 {
    SourceSide(int rows, const FaceDofs &dofs_)
-      : dofs(dofs_), blocks(rows, dofs), coverage(rows, dofs.multiplier.size())
+      : dofs(dofs_), blocks(rows, dofs), coverage(rows, dofs.vertices.size())
    {
    }
    const FaceDofs &dofs;
    FaceBlocks blocks;
    FaceBlock coverage;
 };
-
-std::vector<HYPRE_BigInt> Global(ParFiniteElementSpace &space,
-                                 const Array<int> &dofs)
-{
-   std::vector<HYPRE_BigInt> result;
-   result.reserve(dofs.Size());
-   for (const int dof : dofs)
-   {
-      result.push_back(space.GetGlobalTDofNumber(dof));
-   }
-   return result;
-}
 
 // A hit that is farther than this part of the source face's size from where the
 // face should be is one of another part of the source, in between.
@@ -204,9 +191,11 @@ bool Counts(const SearchHit &hit, const SegmentPoint &point)
 class GapAssembler
 {
 public:
-   GapAssembler(BiphasicSpaces &spaces_)
-      : spaces(spaces_), area(spaces.Multiplier().GetVSize()),
-        offset(area.Size()), face_size(area.Size()), shapes(spaces)
+   GapAssembler(const ContactSurface &source_,
+                const ContactSurface &destination_)
+      : source(source_), destination(destination_),
+        area(destination.Vertices().LocalSize()), offset(area.Size()),
+        face_size(area.Size()), shapes(destination.Spaces())
    {
       area = 0.0;
       offset = 0.0;
@@ -219,8 +208,7 @@ public:
    }
 
    /// @a number: of the face in its ContactSurface.
-   void AddFace(int number, const DeformedFace &face,
-                const std::vector<SegmentPoint> &points,
+   void AddFace(int number, const std::vector<SegmentPoint> &points,
                 const SearchQuery *queries, const SearchHit *hits,
                 const std::map<std::pair<int, int>, FaceDofs> &source_dofs);
    GapOperators Finish();
@@ -233,7 +221,8 @@ private:
       blocks.jump.AddTo(sign, rows, dofs.pressure, jump);
    }
 
-   BiphasicSpaces &spaces;
+   const ContactSurface &source;
+   const ContactSurface &destination;
    std::vector<Triplet> gap;
    std::vector<Triplet> jump;
    std::vector<Triplet> coverage;
@@ -247,21 +236,18 @@ private:
 };
 
 void GapAssembler::AddFace(
-   int number, const DeformedFace &face,
-   const std::vector<SegmentPoint> &points, const SearchQuery *queries,
-   const SearchHit *hits,
+   int number, const std::vector<SegmentPoint> &points,
+   const SearchQuery *queries, const SearchHit *hits,
    const std::map<std::pair<int, int>, FaceDofs> &source_dofs)
 {
-   const std::vector<HYPRE_BigInt> rows =
-      Global(spaces.Multiplier(), face.MultiplierDofs());
-   const FaceDofs own{face.GetGeometry(),
-                      Global(spaces.Displacement(), face.DisplacementDofs()),
-                      Global(spaces.Pressure(), face.PressureDofs()), rows};
+   const DeformedFace &face = destination.Faces()[number];
+   const FaceDofs own = GetFaceDofs(destination, number);
+   const std::vector<HYPRE_BigInt> &rows = own.vertices;
    const int vertices = static_cast<int>(rows.size());
    FaceBlocks own_blocks(vertices, own);
    std::map<std::pair<int, int>, SourceSide> source_sides;
    std::pair<int, int> last_hit(-1, -1);
-   SourceSide *source = nullptr;
+   SourceSide *side = nullptr;
    real_t hit_area = 0.0;
    Vector weights(vertices);
    weights = 0.0;
@@ -287,25 +273,25 @@ void GapAssembler::AddFace(
       if (source_face != last_hit)
       {
          const FaceDofs &dofs = source_dofs.at(source_face);
-         source = &source_sides.try_emplace(source_face, vertices, dofs)
-                      .first->second;
+         side = &source_sides.try_emplace(source_face, vertices, dofs)
+                    .first->second;
          last_hit = source_face;
       }
       IntegrationPoint source_ip;
       source_ip.Set2(hit.xi, hit.eta);
-      shapes.Evaluate(source->dofs.geometry, source_ip);
-      source->blocks.AddPoint(phi, normal, shapes);
-      source->coverage.AddPoint(phi, shapes.Multiplier());
+      shapes.Evaluate(side->dofs.geometry, source_ip);
+      side->blocks.AddPoint(phi, normal, shapes);
+      side->coverage.AddPoint(phi, shapes.Multiplier());
 
       const real_t reference_gap =
          Dot(normal, Sum(hit.reference, -1.0, at.position));
       for (int j = 0; j < vertices; j++)
       {
          weights[j] += phi[j];
-         offset[face.MultiplierDofs()[j]] += phi[j] * reference_gap;
+         offset[face.Vertices()[j]] += phi[j] * reference_gap;
          for (int d = 0; d < 3; d++)
          {
-            normal_area[d][face.MultiplierDofs()[j]] += phi[j] * normal[d];
+            normal_area[d][face.Vertices()[j]] += phi[j] * normal[d];
          }
       }
       hit_area += weight;
@@ -321,31 +307,32 @@ void GapAssembler::AddFace(
    for (int j = 0; j < vertices; j++)
    {
       covered.area[j] = weights[j];
-      area[face.MultiplierDofs()[j]] += weights[j];
-      face_size[face.MultiplierDofs()[j]] += weights[j] * size;
+      area[face.Vertices()[j]] += weights[j];
+      face_size[face.Vertices()[j]] += weights[j] * size;
    }
    face_coverage.push_back(covered);
    AddSide(-1.0, rows, own_blocks, own);
-   for (const auto &[key, side] : source_sides)
+   for (const auto &[key, other] : source_sides)
    {
-      AddSide(1.0, rows, side.blocks, side.dofs);
-      side.coverage.AddTo(1.0, rows, side.dofs.multiplier, coverage);
+      AddSide(1.0, rows, other.blocks, other.dofs);
+      other.coverage.AddTo(1.0, rows, other.dofs.vertices, coverage);
    }
 }
 
 GapOperators GapAssembler::Finish()
 {
-   ParFiniteElementSpace &m = spaces.Multiplier();
+   BiphasicSpaces &spaces = destination.Spaces();
+   const SurfaceVertices &m = destination.Vertices();
    ParFiniteElementSpace &u = spaces.Displacement();
    ParFiniteElementSpace &p = spaces.Pressure();
    GapOperators operators;
-   operators.area = SumShared(m, area);
-   operators.gap_offset = SumShared(m, offset);
-   operators.face_size = SumShared(m, face_size);
+   operators.area = m.SumShared(area);
+   operators.gap_offset = m.SumShared(offset);
+   operators.face_size = m.SumShared(face_size);
    operators.face_coverage = std::move(face_coverage);
    for (int d = 0; d < 3; d++)
    {
-      operators.normal_area[d] = SumShared(m, normal_area[d]);
+      operators.normal_area[d] = m.SumShared(normal_area[d]);
    }
    // A vertex that only grazes the source has no say.
    real_t largest = operators.area.Size() > 0 ? operators.area.Max() : 0.0;
@@ -366,8 +353,8 @@ GapOperators GapAssembler::Finish()
    const auto assemble =
       [&](const std::vector<Triplet> &triplets, ParFiniteElementSpace &columns)
    {
-      return AssembleTriplets(spaces.GetComm(), triplets, m.GetTrueDofOffsets(),
-                              m.GlobalTrueVSize(), columns.GetTrueDofOffsets(),
+      return AssembleTriplets(spaces.GetComm(), triplets, m.Offsets(),
+                              m.GlobalSize(), columns.GetTrueDofOffsets(),
                               columns.GlobalTrueVSize());
    };
    operators.gap = assemble(gap, u);
@@ -378,7 +365,10 @@ GapOperators GapAssembler::Finish()
    {
       std::swap(triplet.row, triplet.column);
    }
-   operators.coverage = assemble(coverage, m);
+   const SurfaceVertices &covered = source.Vertices();
+   operators.coverage =
+      AssembleTriplets(spaces.GetComm(), coverage, covered.Offsets(),
+                       covered.GlobalSize(), m.Offsets(), m.GlobalSize());
    return operators;
 }
 } // namespace
@@ -418,13 +408,13 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
       source_dofs[wanted[i]] = std::move(received[i]);
    }
 
-   GapAssembler assembler(destination.Spaces());
+   GapAssembler assembler(source, destination);
    size_t first = 0;
    for (size_t i = 0; i < segments.size(); i++)
    {
-      assembler.AddFace(static_cast<int>(i), destination.Faces()[i],
-                        segments[i], queries.data() + first,
-                        hits.data() + first, source_dofs);
+      assembler.AddFace(static_cast<int>(i), segments[i],
+                        queries.data() + first, hits.data() + first,
+                        source_dofs);
       first += segments[i].size();
    }
    return assembler.Finish();
@@ -433,7 +423,7 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
 Vector NodalAreas(const ContactSurface &surface)
 {
    ParFiniteElementSpace &space = surface.Spaces().Multiplier();
-   Vector local(space.GetVSize());
+   Vector local(surface.Vertices().LocalSize());
    local = 0.0;
    Vector phi;
    for (const DeformedFace &face : surface.Faces())
@@ -449,11 +439,11 @@ Vector NodalAreas(const ContactSurface &surface)
          const real_t weight = ip.weight * face.Reference(ip).AreaFactor();
          for (int j = 0; j < phi.Size(); j++)
          {
-            local[face.MultiplierDofs()[j]] += weight * phi[j];
+            local[face.Vertices()[j]] += weight * phi[j];
          }
       }
    }
-   return SumShared(space, local);
+   return surface.Vertices().SumShared(local);
 }
 
 } // namespace synovia

@@ -40,9 +40,9 @@ struct GapOptions
 /// Guo & Spilker's Table 1, stable for displacements of order 2.
 struct GapOperators : ContactCoverage
 {
-   /// Multiplier x displacement true dofs, dimensionless.
+   /// Vertices x displacement true dofs, dimensionless.
    std::unique_ptr<mfem::HypreParMatrix> gap;
-   /// Multiplier x pressure true dofs, dimensionless.
+   /// Vertices x pressure true dofs, dimensionless.
    std::unique_ptr<mfem::HypreParMatrix> jump;
    /// Gap of the undeformed surfaces between the points that see each other
    /// (length).
@@ -55,7 +55,7 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
                                   const ContactSurface &destination,
                                   const GapOptions &options);
 
-/// Collective. int phi_j over the whole surface, for each multiplier true dof.
+/// Collective. int phi_j over the whole surface, for each of its vertices.
 mfem::Vector NodalAreas(const ContactSurface &surface);
 
 } // namespace synovia

@@ -95,8 +95,8 @@ void InfinitesimalConstraint::Archive(StateArchive &archive,
                                       const std::string &prefix)
 {
    archive.Flag(prefix + "reached", reached);
-   archive.Field(prefix + "removed_overlap",
-                 geometry.Destination().Spaces().Multiplier(), removed_overlap);
+   geometry.Destination().Archive(archive, prefix + "removed_overlap",
+                                  removed_overlap);
 }
 
 } // namespace synovia

@@ -48,11 +48,11 @@ struct Facet
    }
 };
 
-Facet Outline(const DeformedFace &face, const ParFiniteElementSpace &vertices)
+Facet Outline(const DeformedFace &face, const SurfaceVertices &surface)
 {
    const IntegrationRule &ends = *Geometries.GetVertices(face.GetGeometry());
    const int edges = ends.GetNPoints();
-   const Array<int> &dofs = face.MultiplierDofs();
+   const Array<int> &vertices = face.Vertices();
    Facet facet;
    const auto add = [&](const Point3 &point, HYPRE_BigInt i, HYPRE_BigInt j)
    {
@@ -73,11 +73,11 @@ Facet Outline(const DeformedFace &face, const ParFiniteElementSpace &vertices)
       const real_t length = Length(Sum(b, -1.0, a));
       const Point3 bend = Sum(Sum(m, -0.5, a), -0.5, b);
       facet.size = std::max(facet.size, length);
-      const HYPRE_BigInt first = vertices.GetGlobalTDofNumber(dofs[i]);
+      const HYPRE_BigInt first = surface.Global(vertices[i]);
       add(a, first, first);
       if (Length(bend) > straight * length)
       {
-         add(m, first, vertices.GetGlobalTDofNumber(dofs[next]));
+         add(m, first, surface.Global(vertices[next]));
       }
    }
    return facet;
@@ -146,20 +146,15 @@ std::vector<Facet> FacetsNearby(const ContactSurface &source,
    std::vector<Box> boxes(ranks);
    MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, boxes.data(), sizeof(Box),
                  MPI_BYTE, comm);
+   const BoundingVolumeTree tree(boxes);
    std::vector<std::vector<Facet>> outgoing(ranks);
    for (std::size_t i = 0; i < source.Faces().size(); i++)
    {
-      Facet facet = Outline(source.Faces()[i], source.Spaces().Multiplier());
+      Facet facet = Outline(source.Faces()[i], source.Vertices());
       facet.rank = rank;
       facet.face = static_cast<int>(i);
-      const Box box = facet.GetBox();
-      for (int r = 0; r < ranks; r++)
-      {
-         if (box.Meets(boxes[r]))
-         {
-            outgoing[r].push_back(facet);
-         }
-      }
+      tree.VisitBox(facet.GetBox(),
+                    [&](int r) { outgoing[r].push_back(facet); });
    }
    std::vector<Facet> facets;
    for (const std::vector<Facet> &part : Exchange(std::move(outgoing), comm))

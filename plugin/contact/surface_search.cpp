@@ -29,6 +29,22 @@ std::vector<Box> FaceBoxes(const ContactSurface &surface)
    return boxes;
 }
 
+std::vector<Box> RankBoxes(const ContactSurface &surface)
+{
+   Box mine;
+   for (const Box &box : FaceBoxes(surface))
+   {
+      mine.Add(box);
+   }
+   MPI_Comm comm = surface.Spaces().GetComm();
+   int size;
+   MPI_Comm_size(comm, &size);
+   std::vector<Box> boxes(size);
+   MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, boxes.data(), sizeof(Box),
+                 MPI_BYTE, comm);
+   return boxes;
+}
+
 bool Inside(Geometry::Type geometry, const IntegrationPoint &ip)
 {
    if (ip.x < -edge_tolerance || ip.y < -edge_tolerance)
@@ -85,18 +101,10 @@ bool IntersectFace(const DeformedFace &face, const SearchQuery &query,
 
 SurfaceSearch::SurfaceSearch(const ContactSurface &surface_, real_t radius_)
    : surface(surface_), radius(radius_), comm(surface.Spaces().GetComm()),
-     tree(FaceBoxes(surface))
+     faces(FaceBoxes(surface)), ranks(RankBoxes(surface))
 {
    MPI_Comm_size(comm, &size);
    MPI_Comm_rank(comm, &rank);
-   Box mine;
-   for (const Box &box : FaceBoxes(surface))
-   {
-      mine.Add(box);
-   }
-   rank_boxes.resize(size);
-   MPI_Allgather(&mine, sizeof(Box), MPI_BYTE, rank_boxes.data(), sizeof(Box),
-                 MPI_BYTE, comm);
 }
 
 SearchHit SurfaceSearch::HitFace(const SearchQuery &query, int index) const
@@ -128,9 +136,9 @@ SearchHit SurfaceSearch::FindLocal(const SearchQuery &query) const
    }
    if (!best.Found())
    {
-      tree.VisitSegment(Sum(query.point, -radius, query.normal),
-                        Sum(query.point, radius, query.normal),
-                        [&](int i) { best.TakeNearer(HitFace(query, i)); });
+      faces.VisitSegment(Sum(query.point, -radius, query.normal),
+                         Sum(query.point, radius, query.normal),
+                         [&](int i) { best.TakeNearer(HitFace(query, i)); });
    }
    if (best.Found())
    {
@@ -200,17 +208,17 @@ SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
       {
          continue;
       }
-      const Point3 a = Sum(queries[q].point, -radius, queries[q].normal);
-      const Point3 b = Sum(queries[q].point, radius, queries[q].normal);
-      for (int r = 0; r < size; r++)
-      {
-         const bool tried = queries[q].face >= 0 && queries[q].rank == r;
-         if (!tried && !rank_boxes[r].Empty() &&
-             rank_boxes[r].MeetsSegment(a, b))
-         {
-            others[r].push_back(static_cast<int>(again.size()));
-         }
-      }
+      const int tried = queries[q].face >= 0 ? queries[q].rank : -1;
+      ranks.VisitSegment(Sum(queries[q].point, -radius, queries[q].normal),
+                         Sum(queries[q].point, radius, queries[q].normal),
+                         [&](int r)
+                         {
+                            if (r != tried)
+                            {
+                               others[r].push_back(
+                                  static_cast<int>(again.size()));
+                            }
+                         });
       missed.push_back(q);
       again.push_back(queries[q]);
    }
@@ -222,23 +230,27 @@ SurfaceSearch::Find(const std::vector<SearchQuery> &queries) const
    return hits;
 }
 
-FaceDofs SurfaceSearch::LocalFaceDofs(int index) const
+FaceDofs GetFaceDofs(const ContactSurface &surface, int index)
 {
    const DeformedFace &face = surface.Faces()[index];
-   const auto global = [](ParFiniteElementSpace &space, const Array<int> &dofs)
+   const auto globals = [](const Array<int> &dofs, const auto &global)
    {
       std::vector<HYPRE_BigInt> result;
+      result.reserve(dofs.Size());
       for (const int dof : dofs)
       {
-         result.push_back(space.GetGlobalTDofNumber(dof));
+         result.push_back(global(dof));
       }
       return result;
    };
    BiphasicSpaces &spaces = surface.Spaces();
    return {face.GetGeometry(),
-           global(spaces.Displacement(), face.DisplacementDofs()),
-           global(spaces.Pressure(), face.PressureDofs()),
-           global(spaces.Multiplier(), face.MultiplierDofs())};
+           globals(face.DisplacementDofs(), [&](int dof)
+                   { return spaces.Displacement().GetGlobalTDofNumber(dof); }),
+           globals(face.PressureDofs(), [&](int dof)
+                   { return spaces.Pressure().GetGlobalTDofNumber(dof); }),
+           globals(face.Vertices(), [&](int vertex)
+                   { return surface.Vertices().Global(vertex); })};
 }
 
 std::vector<FaceDofs>
@@ -255,11 +267,11 @@ SurfaceSearch::GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const
    {
       for (const int face : asked[r])
       {
-         const FaceDofs dofs = LocalFaceDofs(face);
+         const FaceDofs dofs = synovia::GetFaceDofs(surface, face);
          std::vector<HYPRE_BigInt> &reply = replies[r];
          reply.push_back(dofs.geometry);
          for (const auto *list :
-              {&dofs.displacement, &dofs.pressure, &dofs.multiplier})
+              {&dofs.displacement, &dofs.pressure, &dofs.vertices})
          {
             reply.push_back(static_cast<HYPRE_BigInt>(list->size()));
             reply.insert(reply.end(), list->begin(), list->end());
@@ -276,7 +288,7 @@ SurfaceSearch::GetFaceDofs(const std::vector<std::pair<int, int>> &faces) const
       size_t &at = position[owner];
       FaceDofs dofs;
       dofs.geometry = static_cast<Geometry::Type>(data[at++]);
-      for (auto *list : {&dofs.displacement, &dofs.pressure, &dofs.multiplier})
+      for (auto *list : {&dofs.displacement, &dofs.pressure, &dofs.vertices})
       {
          const size_t count = data[at++];
          list->assign(data.begin() + at, data.begin() + at + count);

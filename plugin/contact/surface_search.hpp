@@ -51,11 +51,15 @@ struct SearchHit
 struct FaceDofs
 {
    mfem::Geometry::Type geometry;
-   /// Global true dofs: displacement node by node (3 a node), then the others.
+   /// Global true dofs, those of the displacement node by node (3 a node).
    std::vector<HYPRE_BigInt> displacement;
    std::vector<HYPRE_BigInt> pressure;
-   std::vector<HYPRE_BigInt> multiplier;
+   /// Global numbers of the surface's vertices; see SurfaceVertices.
+   std::vector<HYPRE_BigInt> vertices;
 };
+
+/// Of a face of this rank.
+FaceDofs GetFaceDofs(const ContactSurface &surface, int face);
 
 /// Finds where normals hit a surface that is split over ranks in any way.
 ///
@@ -84,15 +88,14 @@ private:
    std::vector<SearchHit>
    AskRanks(const std::vector<SearchQuery> &queries,
             const std::vector<std::vector<int>> &asked) const;
-   FaceDofs LocalFaceDofs(int face) const;
-
    const ContactSurface &surface;
    mfem::real_t radius;
    MPI_Comm comm;
    int size;
    int rank;
-   BoundingVolumeTree tree;
-   std::vector<Box> rank_boxes;
+   /// Boxes of this rank's faces, and of all of each rank's.
+   BoundingVolumeTree faces;
+   BoundingVolumeTree ranks;
 };
 
 } // namespace synovia

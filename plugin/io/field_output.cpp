@@ -61,9 +61,10 @@ public:
    }
 
 private:
-   void Transfer(const Vector &true_dofs, ParGridFunction &field)
+   void Transfer(const Vector &at_vertices, ParGridFunction &field)
    {
-      parent.SetFromTrueDofs(true_dofs);
+      parent.SetFromTrueDofs(
+         pair.Destination().Vertices().ToTrueDofs(at_vertices));
       parent.HostRead();
       surface.Transfer(parent, field);
    }

@@ -310,11 +310,7 @@ void BiphasicOperator::UpdateDrainedDofs(Stage &stage)
       sealed = 0.0;
       for (const ContactPair *pair : pairs)
       {
-         const Vector by_pair = pair->SealedVertices();
-         for (int i = 0; i < sealed.Size(); i++)
-         {
-            sealed[i] = std::max(sealed[i], by_pair[i]);
-         }
+         pair->MarkSealed(sealed);
       }
       Vector sealed_pressure(stage.p.Size());
       if (vertices_to_pressure)

@@ -14,8 +14,9 @@ TractionMoments MeasureTraction(BiphasicProblem &problem)
                                { return x[0] * x[0] + x[1] * x[1]; });
    ParGridFunction field(&problem.Spaces().Multiplier());
    field.ProjectCoefficient(squared);
-   Vector r2;
-   field.GetTrueDofs(r2);
+   Vector everywhere;
+   field.GetTrueDofs(everywhere);
+   const Vector r2 = pair.Destination().Vertices().FromTrueDofs(everywhere);
    real_t sums[2] = {0.0, 0.0};
    for (int j = 0; j < traction.Size(); j++)
    {

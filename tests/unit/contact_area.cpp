@@ -43,7 +43,7 @@ public:
       values.ProjectCoefficient(coefficient);
       Vector true_dofs;
       values.GetTrueDofs(true_dofs);
-      return true_dofs;
+      return lower.Vertices().FromTrueDofs(true_dofs);
    }
 
    /// Of all ranks.

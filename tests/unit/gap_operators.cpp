@@ -150,7 +150,7 @@ public:
          form.Assemble();
          Vector result(spaces.Multiplier().GetTrueVSize());
          form.ParallelAssemble(result);
-         return result;
+         return lower.Vertices().FromTrueDofs(result);
       };
       FunctionCoefficient given(f);
       ConstantCoefficient one(1.0);

@@ -393,19 +393,21 @@ TEST_CASE("Faces give their dofs to whoever asks")
    const std::vector<FaceDofs> dofs = search.GetFaceDofs(faces);
    REQUIRE(dofs.size() == faces.size());
 
-   // A field 100 x + 10 y + z by its dofs, all of them on all ranks.
+   // A field 100 x + 10 y + z at the vertices, all of them on all ranks.
    FunctionCoefficient function([](const Vector &x)
                                 { return 100.0 * x[0] + 10.0 * x[1] + x[2]; });
    ParFiniteElementSpace &space = bodies.spaces.Multiplier();
    ParGridFunction field(&space);
    field.ProjectCoefficient(function);
-   Vector mine;
-   field.GetTrueDofs(mine);
-   Vector all(static_cast<int>(space.GlobalTrueVSize()));
+   Vector everywhere;
+   field.GetTrueDofs(everywhere);
+   const SurfaceVertices &vertices = bodies.upper.Vertices();
+   const Vector mine = vertices.FromTrueDofs(everywhere);
+   Vector all(static_cast<int>(vertices.GlobalSize()));
    all = 0.0;
    for (int i = 0; i < mine.Size(); i++)
    {
-      all[static_cast<int>(space.GetMyTDofOffset()) + i] = mine[i];
+      all[static_cast<int>(vertices.Offsets()[0]) + i] = mine[i];
    }
    MPI_Allreduce(MPI_IN_PLACE, all.GetData(), all.Size(),
                  MPITypeMap<real_t>::mpi_type, MPI_SUM, MPI_COMM_WORLD);
@@ -417,7 +419,7 @@ TEST_CASE("Faces give their dofs to whoever asks")
       CHECK(dofs[i].geometry == Geometry::SQUARE);
       CHECK(static_cast<int>(dofs[i].displacement.size()) == 3 * nodes);
       CHECK(static_cast<int>(dofs[i].pressure.size()) == pressures);
-      REQUIRE(dofs[i].multiplier.size() == 4);
+      REQUIRE(dofs[i].vertices.size() == 4);
       // The face's dofs and the hit's coordinates say where the hit is.
       const real_t x = hits[i].xi;
       const real_t y = hits[i].eta;
@@ -426,7 +428,7 @@ TEST_CASE("Faces give their dofs to whoever asks")
       real_t value = 0.0;
       for (int k = 0; k < 4; k++)
       {
-         value += shape[k] * all[static_cast<int>(dofs[i].multiplier[k])];
+         value += shape[k] * all[static_cast<int>(dofs[i].vertices[k])];
       }
       const Point3 &p = queries[i].point;
       CHECK(value == Approx(100.0 * p[0] + 10.0 * p[1] + 1.1));
