@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace synovia
 {
@@ -118,15 +117,20 @@ real_t Box::Distance(const Point3 &point) const
 }
 
 BoundingVolumeTree::BoundingVolumeTree(const std::vector<Box> &boxes)
-   : order(boxes.size())
 {
-   std::iota(order.begin(), order.end(), 0);
-   nodes.reserve(2 * boxes.size() / leaf_size + 2);
-   if (!boxes.empty())
+   for (size_t i = 0; i < boxes.size(); i++)
    {
-      Build(boxes, 0, static_cast<int>(boxes.size()));
+      if (!boxes[i].Empty())
+      {
+         order.push_back(static_cast<int>(i));
+      }
    }
-   leaves.reserve(boxes.size());
+   nodes.reserve(2 * order.size() / leaf_size + 2);
+   if (!order.empty())
+   {
+      Build(boxes, 0, static_cast<int>(order.size()));
+   }
+   leaves.reserve(order.size());
    for (const int i : order)
    {
       leaves.push_back(boxes[i]);

@@ -28,7 +28,8 @@ struct Box
    Point3 high;
 };
 
-/// A binary tree of bounding boxes over a fixed set of boxes.
+/// A binary tree of bounding boxes over a fixed set of boxes, of which those
+/// that are empty meet nothing.
 class BoundingVolumeTree
 {
 public:

@@ -192,3 +192,20 @@ TEST_CASE("Boxes that are all the same don't make the tree degenerate")
    CHECK(Visited(tree, {0.5, 0.5, -1.0}, {0.5, 0.5, 2.0}).size() == 1000);
    CHECK(Visited(tree, {0.5, 2.5, -1.0}, {0.5, 2.5, 2.0}).empty());
 }
+
+TEST_CASE("Empty boxes among others meet nothing")
+{
+   Box box;
+   box.Add({0.0, 0.0, 0.0});
+   box.Add({1.0, 1.0, 1.0});
+   std::vector<Box> boxes(10);
+   boxes[3] = boxes[7] = box;
+   const BoundingVolumeTree tree(boxes);
+   const std::multiset<int> wanted{3, 7};
+   CHECK(Visited(tree, {0.5, 0.5, -1.0}, {0.5, 0.5, 2.0}) == wanted);
+   std::multiset<int> visited;
+   tree.VisitBox(box, [&](int i) { visited.insert(i); });
+   CHECK(visited == wanted);
+   const BoundingVolumeTree none(std::vector<Box>(10));
+   CHECK(Visited(none, {0.5, 0.5, -1.0}, {0.5, 0.5, 2.0}).empty());
+}

@@ -377,7 +377,9 @@ TEST_CASE("The areas add up")
    operators.coverage->MultTranspose(ones, covering);
    CHECK(Difference(covering, operators.area) <= round_off);
    // Summed over destination vertices, that of a source vertex.
-   Vector covered(ones.Size());
+   ones.SetSize(operators.coverage->Width());
+   ones = 1.0;
+   Vector covered(operators.coverage->Height());
    operators.coverage->Mult(ones, covered);
    CHECK(Difference(covered, NodalAreas(f.upper)) <= tolerance);
    CHECK(f.Sum(covered) == Approx(f.Sum(operators.area)));
