@@ -1,4 +1,5 @@
 #include "synovia/fem/strain_monitor.hpp"
+#include "synovia/fem/principal_strain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +56,56 @@ real_t DetF(const Components &g, int q)
           g.xz[q] * (g.yx[q] * g.zy[q] - yy * g.zx[q]);
 }
 
-// The largest magnitude of an eigenvalue of the strain, to half of the digits:
-// roots of the characteristic polynomial by cosines.
-real_t SpectralNorm(const Components &g, int q)
+struct Symmetric
 {
-   const real_t mean = (g.xx[q] + g.yy[q] + g.zz[q]) / 3.0;
-   const real_t xx = g.xx[q] - mean;
-   const real_t yy = g.yy[q] - mean;
-   const real_t zz = g.zz[q] - mean;
-   const real_t xy = 0.5 * (g.xy[q] + g.yx[q]);
-   const real_t yz = 0.5 * (g.yz[q] + g.zy[q]);
-   const real_t xz = 0.5 * (g.xz[q] + g.zx[q]);
+   real_t xx, yy, zz, xy, yz, xz;
+};
+
+Symmetric InfinitesimalStrain(const Components &g, int q)
+{
+   return {g.xx[q],
+           g.yy[q],
+           g.zz[q],
+           0.5 * (g.xy[q] + g.yx[q]),
+           0.5 * (g.yz[q] + g.zy[q]),
+           0.5 * (g.xz[q] + g.zx[q])};
+}
+
+// Green's, as in principal_strain.hpp.
+Symmetric FiniteStrain(const Components &g, int q)
+{
+   const real_t x[3] = {g.xx[q], g.yx[q], g.zx[q]};
+   const real_t y[3] = {g.xy[q], g.yy[q], g.zy[q]};
+   const real_t z[3] = {g.xz[q], g.yz[q], g.zz[q]};
+   const auto half = [](const real_t *a, const real_t *b)
+   { return 0.5 * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+   Symmetric strain = InfinitesimalStrain(g, q);
+   strain.xx += half(x, x);
+   strain.yy += half(y, y);
+   strain.zz += half(z, z);
+   strain.xy += half(x, y);
+   strain.yz += half(y, z);
+   strain.xz += half(x, z);
+   return strain;
+}
+
+struct Range
+{
+   real_t smallest;
+   real_t largest;
+};
+
+// Of the eigenvalues, to half of the digits: roots of the characteristic
+// polynomial by cosines.
+Range Eigenvalues(const Symmetric &strain)
+{
+   const real_t mean = (strain.xx + strain.yy + strain.zz) / 3.0;
+   const real_t xx = strain.xx - mean;
+   const real_t yy = strain.yy - mean;
+   const real_t zz = strain.zz - mean;
+   const real_t xy = strain.xy;
+   const real_t yz = strain.yz;
+   const real_t xz = strain.xz;
    const real_t size = std::sqrt(
       (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + xz * xz)) /
       6.0);
@@ -76,26 +116,37 @@ real_t SpectralNorm(const Components &g, int q)
       cube > 0.0 ? std::clamp(0.5 * det / cube, -1.0, 1.0) : 1.0;
    const real_t angle = std::acos(cosine) / 3.0;
    constexpr real_t third_of_turn = 2.0 * M_PI / 3.0;
-   return std::max(mean + 2.0 * size * std::cos(angle),
-                   -mean - 2.0 * size * std::cos(angle + third_of_turn));
+   return {mean + 2.0 * size * std::cos(angle + third_of_turn),
+           mean + 2.0 * size * std::cos(angle)};
 }
 
-// The largest in magnitude, to all digits.
-real_t PrincipalStrain(DenseMatrix gradient)
+// The largest magnitude of a principal strain.
+real_t SpectralNorm(const Components &g, int q, Deformation deformation)
 {
-   gradient.Symmetrize();
-   real_t principal[3]; // ascending
-   real_t directions[9];
-   gradient.CalcEigenvalues(principal, directions);
-   return principal[2] >= LeastLike(-principal[0]) ? principal[2]
-                                                   : principal[0];
+   if (deformation == Deformation::infinitesimal)
+   {
+      const Range strains = Eigenvalues(InfinitesimalStrain(g, q));
+      return std::max(strains.largest, -strains.smallest);
+   }
+   const Range strains = Eigenvalues(FiniteStrain(g, q));
+   return std::max(LogarithmicStrain(strains.largest),
+                   -LogarithmicStrain(strains.smallest));
+}
+
+// What no principal strain exceeds.
+real_t Bound(const Components &g, int q, Deformation deformation)
+{
+   return deformation == Deformation::infinitesimal
+             ? FrobeniusNorm(g, q)
+             : std::numeric_limits<real_t>::infinity();
 }
 } // namespace
 
 StrainMonitor::StrainMonitor(NamedMesh &mesh_,
-                             const ParGridFunction &displacement)
-   : mesh(mesh_), gradients(mesh_.Get(), displacement),
-     severities(mesh_.Get().GetNE())
+                             const ParGridFunction &displacement,
+                             Deformation deformation_)
+   : mesh(mesh_), deformation(deformation_),
+     gradients(mesh_.Get(), displacement), severities(mesh_.Get().GetNE())
 {
 }
 
@@ -113,16 +164,37 @@ void StrainMonitor::MeasureElements()
       {
          severity[volume_loss] =
             std::max(severity[volume_loss], 1.0 - DetF(components, q));
-         // No eigenvalue exceeds it.
-         const real_t norm = FrobeniusNorm(components, q);
-         if (norm >= LeastLike(largest) && norm > more * severity[strain])
+         const real_t bound = Bound(components, q, deformation);
+         if (bound >= LeastLike(largest) && bound > more * severity[strain])
          {
-            severity[strain] =
-               std::max(severity[strain], SpectralNorm(components, q));
+            severity[strain] = std::max(
+               severity[strain], SpectralNorm(components, q, deformation));
             largest = std::max(largest, severity[strain]);
          }
       }
    }
+}
+
+real_t StrainMonitor::PrincipalStrain(const DenseMatrix &gradient) const
+{
+   real_t principal[3]; // ascending
+   real_t directions[9];
+   if (deformation == Deformation::infinitesimal)
+   {
+      DenseMatrix strain(gradient);
+      strain.Symmetrize();
+      strain.CalcEigenvalues(principal, directions);
+   }
+   else
+   {
+      GreenStrain(gradient).CalcEigenvalues(principal, directions);
+      for (real_t &value : principal)
+      {
+         value = LogarithmicStrain(value);
+      }
+   }
+   return principal[2] >= LeastLike(-principal[0]) ? principal[2]
+                                                   : principal[0];
 }
 
 StrainExtremes StrainMonitor::Measure()

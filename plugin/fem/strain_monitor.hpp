@@ -2,6 +2,7 @@
 
 #include "synovia/fem/displacement_gradient.hpp"
 #include "synovia/general/point3.hpp"
+#include "synovia/materials/deformation.hpp"
 
 #include <array>
 #include <string>
@@ -22,7 +23,8 @@ struct StrainExtreme
 struct StrainExtremes
 {
    /// The principal strain of the largest magnitude, tension positive: an
-   /// eigenvalue of the symmetric part of grad u.
+   /// eigenvalue of the symmetric part of grad u, or the logarithm of a
+   /// principal stretch in finite deformation.
    StrainExtreme max_principal;
    /// The smallest det(I + grad u): the volume as a part of what it was; not
    /// positive where the displacement turns the material inside out.
@@ -44,7 +46,8 @@ class StrainMonitor
 {
 public:
    /// Borrows both. @a displacement has three components.
-   StrainMonitor(NamedMesh &mesh, const mfem::ParGridFunction &displacement);
+   StrainMonitor(NamedMesh &mesh, const mfem::ParGridFunction &displacement,
+                 Deformation deformation = Deformation::infinitesimal);
 
    /// Of the displacement as it is now. Collective.
    StrainExtremes Measure();
@@ -62,10 +65,13 @@ private:
    /// Sets the severities, but leaves out strains that are not the largest of
    /// this rank.
    void MeasureElements();
+   /// The principal strain of the largest magnitude, to all digits.
+   mfem::real_t PrincipalStrain(const mfem::DenseMatrix &gradient) const;
    /// Where the severity of one kind first reaches @a least. Collective.
    StrainExtreme Locate(Kind kind, mfem::real_t least);
 
    const NamedMesh &mesh;
+   Deformation deformation;
    DisplacementGradient gradients;
    /// Of each element of this rank.
    std::vector<Severity> severities;

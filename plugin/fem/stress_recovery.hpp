@@ -1,20 +1,13 @@
 #pragma once
 
+#include "synovia/fem/nodal_recovery.hpp"
 #include "synovia/materials/deformation.hpp"
 #include "synovia/materials/material_table.hpp"
-
-#include <map>
 
 namespace synovia
 {
 
-/// Continuous stress fields by averaging over the elements around each node.
-///
-/// The stress of finite elements jumps between them. In each element it is
-/// fitted, one order below the displacement, to its values at the quadrature
-/// points where it is most accurate, and evaluated at the displacement's nodes;
-/// nodes take the mean of the elements around them. Bodies that share no nodes
-/// are not averaged with each other; materials within a body are.
+/// Continuous stress fields, as NodalRecovery makes them.
 ///
 /// Six components, in the order xx, yy, zz, xy, yz, xz; tension is positive.
 class StressRecovery
@@ -37,34 +30,29 @@ public:
    /// are larger by p.
    mfem::ParGridFunction &Principal() { return principal; }
 
+   /// For fields of directions.
+   mfem::ParFiniteElementSpace &VectorSpace() { return vectors; }
+   /// Sets unit vectors along which the principal stress is largest and
+   /// smallest, in the VectorSpace().
+   void GetDirections(mfem::ParGridFunction &largest,
+                      mfem::ParGridFunction &smallest) const;
+
 private:
-   /// Quadrature points and the matrix (nodes x points) that takes stresses at
-   /// them to those at the nodes of an element.
-   struct Extrapolation
-   {
-      const mfem::IntegrationRule *rule;
-      mfem::DenseMatrix to_nodes;
-   };
-
-   const Extrapolation &ExtrapolationOf(const mfem::FiniteElement &element);
-   /// Sums over elements, in @a field, into means over them, on all ranks.
-   void Average(mfem::ParGridFunction &field) const;
-
    /// Six components of the effective stress at a point.
    void GetStress(const SolidLaw &law, const MaterialPoint &point,
                   const mfem::DenseMatrix &gradient, mfem::Vector &stress);
+   mfem::DenseMatrix TotalAt(int node) const;
 
    const MaterialTable &materials;
    Deformation deformation;
    mfem::DenseMatrix stiffness;
    mfem::Vector strain;
-   mfem::ParFiniteElementSpace tensors;
+   NodalRecovery recovery;
+   mfem::ParFiniteElementSpace &tensors;
    mfem::ParFiniteElementSpace vectors;
    mfem::ParGridFunction effective;
    mfem::ParGridFunction total;
    mfem::ParGridFunction principal;
-   mfem::Vector elements_of_dof;
-   std::map<mfem::Geometry::Type, Extrapolation> extrapolations;
 };
 
 } // namespace synovia

@@ -1,4 +1,5 @@
 #include "synovia/io/field_output.hpp"
+#include "synovia/fem/deformation_recovery.hpp"
 
 #include <algorithm>
 
@@ -31,7 +32,83 @@ private:
    const ParGridFunction &pressure;
    const MaterialTable &materials;
 };
+
+/// -k grad_x p = -F K grad p/J of deformed bodies, per current area.
+class DeformedRelativeFlux : public VectorCoefficient
+{
+public:
+   DeformedRelativeFlux(const ParGridFunction &displacement_,
+                        const ParGridFunction &pressure_,
+                        const MaterialTable &materials_)
+      : VectorCoefficient(3), displacement(displacement_), pressure(pressure_),
+        materials(materials_)
+   {
+   }
+   void Eval(Vector &value, ElementTransformation &trans,
+             const IntegrationPoint &ip) override
+   {
+      trans.SetIntPoint(&ip);
+      displacement.GetVectorGradient(trans, gradient);
+      pressure.GetGradient(trans, slope);
+      Tensor3<> F = IdentityTensor();
+      for (int k = 0; k < 9; k++)
+      {
+         F[k / 3][k % 3] += gradient(k / 3, k % 3);
+      }
+      Tensor3<> conductance{};
+      materials.Get(trans.Attribute)
+         .permeability->GetReferential({trans, ip}, F, conductance, nullptr);
+      const Tensor3<> spatial = Product(F, conductance);
+      value.SetSize(3);
+      for (int i = 0; i < 3; i++)
+      {
+         value[i] = -(spatial[i][0] * slope[0] + spatial[i][1] * slope[1] +
+                      spatial[i][2] * slope[2]) /
+                    det(F);
+      }
+   }
+
+private:
+   const ParGridFunction &displacement;
+   const ParGridFunction &pressure;
+   const MaterialTable &materials;
+   DenseMatrix gradient;
+   Vector slope;
+};
 } // namespace
+
+/// What there is in finite deformation only.
+class FieldOutput::Strains
+{
+public:
+   Strains(BiphasicProblem &problem, StressRecovery &stress_)
+      : recovery(problem.Spaces().Displacement(), problem.Materials()),
+        stress(stress_), largest(&stress.VectorSpace()),
+        smallest(&stress.VectorSpace())
+   {
+   }
+
+   void Register(ParaViewOutput &output)
+   {
+      output.Register("principal_strain", recovery.PrincipalStrain());
+      output.Register("volume_ratio", recovery.VolumeRatio());
+      output.Register("porosity", recovery.Porosity());
+      output.Register("largest_stress_direction", largest);
+      output.Register("smallest_stress_direction", smallest);
+   }
+
+   void Update(const ParGridFunction &displacement)
+   {
+      recovery.Update(displacement);
+      stress.GetDirections(largest, smallest);
+   }
+
+private:
+   DeformationRecovery recovery;
+   StressRecovery &stress;
+   ParGridFunction largest;
+   ParGridFunction smallest;
+};
 
 /// The fields on the destination of one pair.
 class FieldOutput::Surface
@@ -98,6 +175,11 @@ FieldOutput::FieldOutput(const std::string &directory,
    bodies.Register("total_stress", stress.Total());
    bodies.Register("effective_stress", stress.Effective());
    bodies.Register("principal_stress", stress.Principal());
+   if (problem.GetDeformation() == Deformation::finite)
+   {
+      strains = std::make_unique<Strains>(problem, stress);
+      strains->Register(bodies);
+   }
    for (const ContactPair *pair : problem.Operator().Pairs())
    {
       surfaces.push_back(std::make_unique<Surface>(directory + "/fields", *pair,
@@ -113,6 +195,14 @@ void FieldOutput::Update()
    stress.Update(stepper.Displacement(), stepper.Pressure());
    velocity.SetFromTrueDofs(stepper.Velocity());
    velocity.HostRead();
+   if (strains)
+   {
+      strains->Update(stepper.Displacement());
+      DeformedRelativeFlux in_space(stepper.Displacement(), stepper.Pressure(),
+                                    problem.Materials());
+      flux.ProjectDiscCoefficient(in_space, GridFunction::ARITHMETIC);
+      return;
+   }
    RelativeFlux coefficient(stepper.Pressure(), problem.Materials());
    flux.ProjectDiscCoefficient(coefficient, GridFunction::ARITHMETIC);
 }

@@ -14,7 +14,11 @@ namespace synovia
 /// The fields of a problem for ParaView, below `<directory>/fields`.
 ///
 /// bodies: displacement, velocity, fluid_pressure, relative_flux, total_stress,
-/// effective_stress, principal_stress (total, largest first), region.
+/// effective_stress, principal_stress (total, largest first), region; in finite
+/// deformation also principal_strain (logarithmic, largest first),
+/// volume_ratio, porosity, and largest_stress_direction and
+/// smallest_stress_direction of the total stress. Stresses and relative flux
+/// are those in space: per current area.
 /// `contact_<pair>`: contact_pressure, gap and contact_status on the
 /// destination.
 class FieldOutput
@@ -37,6 +41,7 @@ public:
 
 private:
    class Surface;
+   class Strains;
 
    BiphasicProblem &problem;
    TimeStepper &stepper;
@@ -45,6 +50,8 @@ private:
    mfem::ParGridFunction velocity;
    mfem::ParGridFunction flux;
    ParaViewOutput bodies;
+   /// In finite deformation.
+   std::unique_ptr<Strains> strains;
    std::vector<std::unique_ptr<Surface>> surfaces;
 };
 

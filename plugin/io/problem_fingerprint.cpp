@@ -108,6 +108,9 @@ void AddFingerprint(BiphasicProblem &problem, CheckpointContents &contents)
 {
    AddMesh(problem.Mesh(), contents);
    contents.texts["order"] = std::to_string(problem.Spaces().Order());
+   contents.texts["deformation"] =
+      problem.GetDeformation() == Deformation::finite ? "finite"
+                                                      : "infinitesimal";
    contents.texts["degrees of freedom"] =
       std::to_string(problem.Spaces().Displacement().GlobalTrueVSize() +
                      problem.Spaces().Pressure().GlobalTrueVSize());
@@ -129,8 +132,9 @@ std::string CompareFingerprints(const CheckpointContents &theirs,
       differences += (differences.empty() ? "" : "; ") + name + ": " + there +
                      " there, " + here + " here";
    };
-   for (const char *name : {"contact pairs", "degrees of freedom", "elements",
-                            "materials", "order", "regions", "surfaces"})
+   for (const char *name :
+        {"contact pairs", "deformation", "degrees of freedom", "elements",
+         "materials", "order", "regions", "surfaces"})
    {
       const auto there = theirs.texts.find(name);
       const std::string &here = ours.texts.at(name);

@@ -9,8 +9,8 @@ namespace synovia
 {
 
 // What of a problem must be the same in the run that wrote a checkpoint and in
-// the one that reads it: the mesh with its regions and surfaces, the unknowns
-// and the contact pairs.
+// the one that reads it: the mesh with its regions and surfaces, the unknowns,
+// whether deformation is finite, and the contact pairs.
 
 /// Adds it to what a checkpoint holds. Collective.
 void AddFingerprint(BiphasicProblem &problem, CheckpointContents &contents);

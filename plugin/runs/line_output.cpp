@@ -35,15 +35,27 @@ void LineOutput::Write(const std::vector<size_t> &which, TimeStepper &stepper)
                                                 problem.GetDeformation());
    }
    stress->Update(stepper.Displacement(), stepper.Pressure());
+   std::vector<SampledField> fields = {
+      {{"p"}, &stepper.Pressure()},
+      {{"ux", "uy", "uz"}, &stepper.Displacement()},
+      {{"sxx", "syy", "szz", "sxy", "syz", "sxz"}, &stress->Total()},
+      {{"esxx", "esyy", "eszz", "esxy", "esyz", "esxz"}, &stress->Effective()}};
+   if (problem.GetDeformation() == Deformation::finite)
+   {
+      if (!strains)
+      {
+         strains = std::make_unique<DeformationRecovery>(
+            problem.Spaces().Displacement(), problem.Materials());
+      }
+      strains->Update(stepper.Displacement());
+      fields.push_back({{"J"}, &strains->VolumeRatio()});
+      fields.push_back({{"porosity"}, &strains->Porosity()});
+      fields.push_back(
+         {{"strain1", "strain2", "strain3"}, &strains->PrincipalStrain()});
+   }
    for (const size_t i : which)
    {
-      samplers[i].Write(
-         directory, stepper.Time(),
-         {{{"p"}, &stepper.Pressure()},
-          {{"ux", "uy", "uz"}, &stepper.Displacement()},
-          {{"sxx", "syy", "szz", "sxy", "syz", "sxz"}, &stress->Total()},
-          {{"esxx", "esyy", "eszz", "esxy", "esyz", "esxz"},
-           &stress->Effective()}});
+      samplers[i].Write(directory, stepper.Time(), fields);
    }
 }
 

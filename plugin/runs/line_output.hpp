@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/cases/case_file.hpp"
+#include "synovia/fem/deformation_recovery.hpp"
 #include "synovia/fem/stress_recovery.hpp"
 #include "synovia/io/line_sampler.hpp"
 #include "synovia/time/time_stepper.hpp"
@@ -13,7 +14,9 @@ namespace synovia
 {
 
 /// The lines of a case: displacement, pressure, total and effective stress
-/// along each, in lines/ of the output directory.
+/// along each, in lines/ of the output directory; in finite deformation also
+/// the volume ratio J, the porosity and the principal logarithmic strains,
+/// largest first.
 class LineOutput
 {
 public:
@@ -28,8 +31,9 @@ private:
    std::string directory;
    BiphasicProblem &problem;
    std::vector<LineSampler> samplers;
-   /// Made when it is needed first.
+   /// Made when they are needed first, the latter in finite deformation.
    std::unique_ptr<StressRecovery> stress;
+   std::unique_ptr<DeformationRecovery> strains;
 };
 
 } // namespace synovia

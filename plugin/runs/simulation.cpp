@@ -33,7 +33,7 @@ const CaseFile &Checked(const CaseFile &setup)
 
 Simulation::Simulation(const CaseFile &setup_, MPI_Comm comm_)
    : setup(Checked(setup_)), comm(comm_), mesh(ReadCaseMesh(setup, comm)),
-     problem(setup, mesh)
+     problem(setup, mesh), strain_record(problem.Get().GetDeformation())
 {
    watch.Start();
 }
@@ -61,7 +61,8 @@ TimeStepper &Simulation::Stepper()
                               line.times.end());
       }
       stepper = std::make_unique<TimeStepper>(problem.Get(), options);
-      strains = std::make_unique<StrainMonitor>(mesh, stepper->Displacement());
+      strains = std::make_unique<StrainMonitor>(mesh, stepper->Displacement(),
+                                                problem.Get().GetDeformation());
    }
    return *stepper;
 }

@@ -23,8 +23,9 @@ std::string Described(const StrainExtreme &extreme)
 
 bool StrainRecord::BeyondTheory() const
 {
-   return std::abs(principal.at.value) > largest_strain ||
-          det_F.at.value <= smallest_det_F;
+   return deformation == Deformation::infinitesimal &&
+          (std::abs(principal.at.value) > largest_strain ||
+           det_F.at.value <= smallest_det_F);
 }
 
 std::string StrainRecord::Add(const StrainExtremes &strains, real_t time)
@@ -60,9 +61,16 @@ std::string StrainRecord::Summary() const
    }
    const auto when = [](const Extreme &extreme)
    { return Described(extreme.at) + ", t = " + ToText(extreme.time); };
-   std::string text = "largest principal strain " + when(principal) +
-                      "; smallest det F " + when(det_F);
-   if (det_F.at.value <= 0.0)
+   const bool finite = deformation == Deformation::finite;
+   std::string text =
+      (finite ? "largest logarithmic strain " : "largest principal strain ") +
+      when(principal) + "; smallest det F " + when(det_F);
+   if (finite && det_F.at.value <= 0.0)
+   {
+      text += ": a corner is turned inside out there, although no quadrature "
+              "point is; take smaller elements, or better shaped ones";
+   }
+   else if (det_F.at.value <= 0.0)
    {
       text += ": material is turned inside out there, which linear theory "
               "doesn't know";

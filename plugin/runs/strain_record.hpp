@@ -10,10 +10,15 @@ namespace synovia
 /// The largest strains of a run so far, and what they mean for it.
 ///
 /// Infinitesimal strain is a theory of small strains: beyond 10 %, or where det
-/// F falls to 0.5, it no longer describes the material.
+/// F falls to 0.5, it no longer describes the material. Finite deformation has
+/// no such limits.
 class StrainRecord
 {
 public:
+   explicit StrainRecord(Deformation deformation_) : deformation(deformation_)
+   {
+   }
+
    /// Takes in an accepted step; gives a warning when these limits are passed
    /// for the first time, else nothing.
    std::string Add(const StrainExtremes &strains, mfem::real_t time);
@@ -29,6 +34,7 @@ private:
    };
    bool BeyondTheory() const;
 
+   Deformation deformation;
    bool empty = true;
    bool warned = false;
    Extreme principal;

@@ -30,11 +30,12 @@ struct Deformed
       u = 0.0;
    }
 
-   StrainExtremes Measure(const VectorFunction &displacement)
+   StrainExtremes Measure(const VectorFunction &displacement,
+                          Deformation deformation = Deformation::infinitesimal)
    {
       VectorFunctionCoefficient coefficient(3, displacement);
       u.ProjectCoefficient(coefficient);
-      return StrainMonitor(mesh, u).Measure();
+      return StrainMonitor(mesh, u, deformation).Measure();
    }
 
    NamedMesh mesh;
@@ -93,6 +94,48 @@ TEST_CASE("An affine displacement has the same strains everywhere", "[strain]")
    a *= -1.0;
    CHECK(body.Measure(Affine(a)).max_principal.value ==
          Approx(0.2).epsilon(1e-12));
+}
+
+TEST_CASE("In finite deformation strains are logarithms of stretches, which a "
+          "rotation leaves",
+          "[strain]")
+{
+   Deformed body(
+      MakeBox(Cells(GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON))),
+      GENERATE(1, 2));
+   // Stretches 1.3, 0.6 and 0.9, or small ones, then by 90 degrees about z:
+   // F = (-y stretched, x stretched, z stretched).
+   const real_t part = GENERATE(1.0, 1e-6);
+   DenseMatrix a(3);
+   a = 0.0;
+   a(0, 1) = -(1.0 - 0.4 * part);
+   a(1, 0) = 1.0 + 0.3 * part;
+   a(2, 2) = -0.1 * part;
+   a(0, 0) = a(1, 1) = -1.0;
+   const StrainExtremes found = body.Measure(Affine(a), Deformation::finite);
+   CHECK(found.max_principal.value ==
+         Approx(std::log1p(-0.4 * part)).margin(1e-15));
+   CHECK(found.min_det_F.value ==
+         Approx((1.0 - 0.4 * part) * (1.0 + 0.3 * part) * (1.0 - 0.1 * part))
+            .epsilon(1e-12));
+   CHECK(found.max_principal.region == "body");
+}
+
+TEST_CASE("In finite deformation the largest strain is found where it is",
+          "[strain]")
+{
+   // A column that is compressed more towards its top.
+   Deformed body(MakeBox(Cells(Element::TETRAHEDRON)), 2);
+   const StrainExtremes found = body.Measure(
+      [](const Vector &x, Vector &u)
+      {
+         u = 0.0;
+         u[2] = -0.3 * x[2] * x[2];
+      },
+      Deformation::finite);
+   CHECK(found.max_principal.value == Approx(std::log(0.4)).epsilon(1e-12));
+   CHECK(found.max_principal.place[2] == Approx(1.0));
+   CHECK(found.min_det_F.value == Approx(0.4).epsilon(1e-12));
 }
 
 TEST_CASE("Tension stands for equal strains of both signs", "[strain]")
