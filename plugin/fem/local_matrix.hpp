@@ -2,6 +2,8 @@
 
 #include "mfem.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -28,6 +30,9 @@ private:
 };
 
 /// A matrix between two spaces that is summed from elements again and again.
+///
+/// Where the entries of each element go is found once: two bytes for each pair
+/// of its nodes.
 class LocalMatrix
 {
 public:
@@ -35,27 +40,41 @@ public:
    LocalMatrix(mfem::ParFiniteElementSpace &row_space,
                mfem::ParFiniteElementSpace &column_space);
 
-   void SetZero() { matrix = 0.0; }
-   /// Adds an element's matrix, by local vector dofs.
+   void SetZero() { std::fill(entries.begin(), entries.end(), 0.0); }
+   /// Adds an element's matrix; rows and columns go component by component.
+   void Add(int element, const mfem::DenseMatrix &element_entries);
+   /// Adds a matrix by local vector dofs that share an element.
    void Add(const mfem::Array<int> &rows, const mfem::Array<int> &columns,
-            const mfem::DenseMatrix &entries)
+            const mfem::DenseMatrix &some_entries)
    {
-      matrix.AddSubMatrix(rows, columns, entries, 0);
+      matrix.AddSubMatrix(rows, columns, some_entries, 0);
    }
    /// On true dofs, summed over ranks. Collective.
    std::unique_ptr<mfem::HypreParMatrix> Sum();
 
 private:
+   void PutDiagonalFirst();
+   void FindPlaces();
+
    mfem::ParFiniteElementSpace &row_space;
    mfem::ParFiniteElementSpace &column_space;
+   /// hypre puts the diagonal's entry first in each row, and what was there
+   /// where it was.
+   bool diagonal_first;
    Sparsity sparsity;
+   /// For each row dof its own place among its neighbors.
+   std::vector<int> own_places;
+   /// For each element, row dof by row dof, where its column dofs are among the
+   /// neighbors; and where those of each element begin.
+   std::vector<std::uint16_t> places;
+   std::vector<std::size_t> place_begins;
    std::vector<mfem::real_t> entries;
    mfem::SparseMatrix matrix;
 };
 
 /// P_r^T A P_c of a matrix on local dofs. hypre's product of two matrices,
 /// twice, takes a fifth of the time of its product of three, which MFEM's
-/// ParallelAssemble() uses. Collective.
+/// ParallelAssemble() uses; on one rank a copy will do. Collective.
 std::unique_ptr<mfem::HypreParMatrix>
 SumShared(mfem::ParFiniteElementSpace &row_space,
           mfem::ParFiniteElementSpace &column_space, mfem::SparseMatrix &local);
