@@ -128,9 +128,11 @@ KeyTable BoundaryKeys(BoundaryCase &boundary)
    keys.Value("traction", boundary.traction, stress,
               "total traction, by component");
    keys.Value("normal_traction", boundary.normal_traction, stress,
-              "total traction along the outward normal, positive in tension");
+              "total traction along the outward normal, positive in tension; "
+              "in finite deformation it follows the surface");
    keys.Value("normal_flux", boundary.normal_flux, "length/time",
-              "outward relative flux of the fluid");
+              "outward relative flux of the fluid; in finite deformation per "
+              "deformed area");
    keys.Table("spring", SpringKeys(boundary.spring),
               "springs between the surfaces and a fixed base");
    keys.Table("force", ForceKeys(boundary.force),

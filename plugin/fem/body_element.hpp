@@ -4,74 +4,97 @@
 #include "synovia/materials/material_point.hpp"
 #include "synovia/materials/tensor3.hpp"
 
+#include <map>
+#include <vector>
+
 namespace synovia
 {
 
-/// Walks through the quadrature points of the elements of a biphasic mesh, with
-/// what integrals over undeformed bodies need at each: shape functions and
-/// gradients by the undeformed coordinates, and deformation and pressure there.
+/// Walks through the elements of a biphasic mesh, with what integrals over
+/// undeformed bodies need at all quadrature points of an element at once: shape
+/// functions and gradients by the undeformed coordinates, and deformation and
+/// pressure there.
+///
+/// Weights and inverse Jacobians are computed once: ten numbers for each point
+/// are kept.
 class BodyElement
 {
 public:
    /// Borrows @a spaces.
    explicit BodyElement(BiphasicSpaces &spaces);
 
+   /// How many points all elements of this rank have.
+   int AllPoints() const { return begins.back(); }
+
    /// Takes an element with the values of @a u and @a p, local dofs.
    void Set(int element, const mfem::Vector &u, const mfem::Vector &p);
-   int Points() const { return rule->GetNPoints(); }
-   /// How many points all elements of this rank have.
-   int AllPoints();
+   int Points() const { return tables->rule->GetNPoints(); }
+   /// The number of the element's first point among all.
+   int FirstPoint() const { return begins[current]; }
 
-   /// Moves to a point of the element.
-   void SetPoint(int point);
-
-   int Attribute() const { return trans->Attribute; }
-   MaterialPoint Point() const { return {*trans, *ip}; }
+   int Attribute() const { return trans.Attribute; }
+   MaterialPoint Point(int point);
    /// Undeformed coordinates.
-   mfem::Vector Position() const;
+   mfem::Vector Position(int point);
 
    /// Local vector dofs of the displacement, component by component, and dofs
    /// of the pressure.
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
 
-   /// Shape functions of the displacement: gradients, nodes x 3.
+   /// Shape functions of the displacement: gradients, nodes x (3 x points), the
+   /// components of a point one after the other.
    const mfem::DenseMatrix &Gradients() const { return gradients; }
-   /// Those of the pressure, and their gradients, dofs x 3.
-   const mfem::Vector &PressureShape() const { return p_shape; }
+   /// Those of the pressure, dofs x points, and their gradients likewise.
+   const mfem::DenseMatrix &PressureShapes() const { return tables->p_shapes; }
    const mfem::DenseMatrix &PressureGradients() const { return p_gradients; }
 
-   /// Undeformed volume that the point stands for.
-   mfem::real_t Weight() const { return weight; }
+   /// Undeformed volume that a point stands for.
+   mfem::real_t Weight(int point) const
+   {
+      return weights[begins[current] + point];
+   }
    /// F = I + grad u.
-   const Tensor3<> &DeformationGradient() const { return F; }
-   mfem::real_t Pressure() const { return p; }
-   const Vector3<> &PressureGradient() const { return grad_p; }
+   Tensor3<> DeformationGradient(int point) const;
+   mfem::real_t Pressure(int point) const { return pressures[point]; }
+   Vector3<> PressureGradient(int point) const;
 
 private:
-   const mfem::IntegrationRule &Rule(int element);
+   /// Of the elements of one shape, gradients on the reference element.
+   struct Tables
+   {
+      const mfem::IntegrationRule *rule;
+      mfem::DenseMatrix slopes;
+      mfem::DenseMatrix p_shapes;
+      mfem::DenseMatrix p_slopes;
+   };
+   Tables Tabulate(int element);
+   void KeepGeometry();
+   /// slopes x inverse Jacobian, point by point.
+   void ToBody(const mfem::DenseMatrix &slopes,
+               mfem::DenseMatrix &gradients) const;
 
    BiphasicSpaces &spaces;
-   const mfem::FiniteElement *u_element = nullptr;
-   const mfem::FiniteElement *p_element = nullptr;
-   mfem::ElementTransformation *trans = nullptr;
-   const mfem::IntegrationRule *rule = nullptr;
-   const mfem::IntegrationPoint *ip = nullptr;
-   const mfem::DofToQuad *u_maps = nullptr;
-   const mfem::DofToQuad *p_maps = nullptr;
+   std::map<mfem::Geometry::Type, Tables> tables_of;
+   /// Where the points of each element begin, and one more.
+   std::vector<int> begins;
+   std::vector<mfem::real_t> weights;
+   /// Nine for each point, row by row.
+   std::vector<mfem::real_t> inverse_jacobians;
+
+   int current = 0;
+   const Tables *tables = nullptr;
+   mfem::IsoparametricTransformation trans;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    mfem::Vector u_values;
    mfem::Vector p_values;
-   mfem::DenseMatrix reference;
    mfem::DenseMatrix gradients;
-   mfem::DenseMatrix p_reference;
    mfem::DenseMatrix p_gradients;
-   mfem::Vector p_shape;
-   mfem::real_t weight = 0.0;
-   Tensor3<> F;
-   mfem::real_t p = 0.0;
-   Vector3<> grad_p;
+   /// grad u, 3 x (3 x points).
+   mfem::DenseMatrix displacement_gradients;
+   mfem::Vector pressures;
+   mfem::Vector pressure_gradients;
 };
 
 } // namespace synovia

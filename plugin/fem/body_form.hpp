@@ -11,8 +11,9 @@ namespace synovia
 /// state to be evaluated at its end. True dofs.
 struct BodyStage
 {
-   /// time
+   /// Length and end (time).
    mfem::real_t dt = 0.0;
+   mfem::real_t time = 0.0;
    mfem::Vector u0;
    mfem::Vector p0;
    /// What BodyForm::GetConserved() is at the beginning, as the time scheme
@@ -23,8 +24,9 @@ struct BodyStage
 };
 
 /// The bodies' part of momentum and mass balance: stresses and springs, growth
-/// of volume and flow of fluid, and their derivatives. Loads, supports and
-/// contact are not its business.
+/// of volume and flow of fluid, loads that follow the deformation, and the
+/// derivatives of all these. Other loads, supports and contact are not its
+/// business.
 ///
 /// All members are collective. Momentum is in force, mass in volume of fluid in
 /// the stage.
@@ -66,6 +68,10 @@ public:
    /// The part of the mass that is growth of the bodies' volume.
    virtual void GetGrowth(const BodyStage &stage,
                           mfem::Vector &growth) const = 0;
+
+   /// What loads that follow the deformation let into this rank's bodies
+   /// (volume / time).
+   virtual mfem::real_t Inflow(const BodyStage &) const { return 0.0; }
 
    /// Adds the magnitudes of the terms that cancel in Mult(), for absolute
    /// values of @a u and @a p: what round-off is relative to.

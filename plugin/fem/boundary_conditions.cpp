@@ -20,8 +20,9 @@ void AssembleInto(ParLinearForm &form, Vector &load)
 }
 } // namespace
 
-BoundaryConditions::BoundaryConditions(BiphasicSpaces &spaces_)
-   : spaces(spaces_)
+BoundaryConditions::BoundaryConditions(BiphasicSpaces &spaces_,
+                                       Deformation deformation_)
+   : spaces(spaces_), deformation(deformation_), followers(spaces)
 {
 }
 
@@ -99,13 +100,18 @@ void BoundaryConditions::AddTraction(const Array<int> &boundary,
 void BoundaryConditions::AddNormalTraction(const Array<int> &boundary,
                                            const LoadCurve &value)
 {
-   ConstantCoefficient one(1.0);
+   AddCorners(value);
    Array<int> marker = Marker(boundary);
+   if (deformation == Deformation::finite)
+   {
+      followers.AddTraction(marker, value);
+      return;
+   }
+   ConstantCoefficient one(1.0);
    ParLinearForm form(&spaces.Displacement());
    form.AddBoundaryIntegrator(new VectorBoundaryFluxLFIntegrator(one), marker);
    momentum_loads.push_back({Vector(), value});
    AssembleInto(form, momentum_loads.back().load);
-   AddCorners(value);
 }
 
 void BoundaryConditions::AddSprings(const Array<int> &boundary,
@@ -133,13 +139,18 @@ void BoundaryConditions::DriveByForce(const Array<int> &boundary,
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
                                        const LoadCurve &value)
 {
-   ConstantCoefficient outflow(-1.0);
+   AddCorners(value);
    Array<int> marker = Marker(boundary);
+   if (deformation == Deformation::finite)
+   {
+      followers.AddFlux(marker, value);
+      return;
+   }
+   ConstantCoefficient outflow(-1.0);
    ParLinearForm form(&spaces.Pressure());
    form.AddBoundaryIntegrator(new BoundaryLFIntegrator(outflow), marker);
    mass_loads.push_back({Vector(), value});
    AssembleInto(form, mass_loads.back().load);
-   AddCorners(value);
 }
 
 BoundaryConditions::FieldLoad &BoundaryConditions::MomentumForm()

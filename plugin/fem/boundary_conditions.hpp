@@ -1,9 +1,11 @@
 #pragma once
 
 #include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/fem/follower_loads.hpp"
 #include "synovia/fem/rigid_surfaces.hpp"
 #include "synovia/fem/spring_foundation.hpp"
 #include "synovia/general/load_curve.hpp"
+#include "synovia/materials/deformation.hpp"
 
 #include <memory>
 #include <vector>
@@ -19,8 +21,12 @@ namespace synovia
 class BoundaryConditions
 {
 public:
-   /// Borrows @a spaces.
-   explicit BoundaryConditions(BiphasicSpaces &spaces);
+   /// Borrows @a spaces. In finite @a deformation loads along the normal follow
+   /// it, and areas are the current ones; other loads are dead: as given, and
+   /// per undeformed area.
+   explicit BoundaryConditions(
+      BiphasicSpaces &spaces,
+      Deformation deformation = Deformation::infinitesimal);
 
    /// One component (0, 1, 2) of the displacement (length).
    void PrescribeDisplacement(const mfem::Array<int> &boundary, int component,
@@ -40,7 +46,8 @@ public:
                     const mfem::Vector &direction, const LoadCurve &value);
    void AddTraction(const mfem::Array<int> &boundary,
                     mfem::VectorCoefficient &value);
-   /// Total traction value x n, n outward: tension is positive (stress).
+   /// Total traction value x n, n outward: tension is positive (stress). It
+   /// follows finite deformation.
    void AddNormalTraction(const mfem::Array<int> &boundary,
                           const LoadCurve &value);
 
@@ -56,7 +63,8 @@ public:
                      const mfem::Vector &direction, const LoadCurve &force,
                      const std::string &name = "");
 
-   /// Outward relative flux -kappa grad p . n (length / time).
+   /// Outward relative flux -kappa grad p . n (length / time). A curve follows
+   /// finite deformation; a coefficient is per undeformed area.
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
    void AddNormalFlux(const mfem::Array<int> &boundary,
                       mfem::Coefficient &value);
@@ -76,6 +84,9 @@ public:
    /// Sets the loads at time @a t, true-dof vectors: @a momentum in force,
    /// @a mass in volume / time (sources less prescribed outflow).
    void GetLoads(mfem::real_t t, mfem::Vector &momentum, mfem::Vector &mass);
+
+   /// Not among those of GetLoads(), as they depend on the displacement.
+   const FollowerLoads &Followers() const { return followers; }
 
    const std::vector<SpringFoundation> &Springs() const { return springs; }
 
@@ -123,6 +134,8 @@ private:
    FieldLoad &MassForm();
 
    BiphasicSpaces &spaces;
+   Deformation deformation;
+   FollowerLoads followers;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    std::vector<CurveValue> u_values;

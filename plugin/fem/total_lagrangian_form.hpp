@@ -2,6 +2,8 @@
 
 #include "synovia/fem/body_element.hpp"
 #include "synovia/fem/body_form.hpp"
+#include "synovia/fem/element_tangent.hpp"
+#include "synovia/fem/follower_loads.hpp"
 #include "synovia/fem/local_matrix.hpp"
 #include "synovia/fem/smooth_stabilization.hpp"
 #include "synovia/fem/spring_foundation.hpp"
@@ -19,9 +21,9 @@ namespace synovia
 ///     mass:      int q (J - J_0) + dt int grad q . K(F) grad p
 ///                + S (p - p_0 - smooth part)
 ///
-/// with F = I + grad u, the pressure p of the fluid in space, and J_0 what the
-/// stage begins with: fluid is conserved to round-off, whatever the step. Its
-/// solids must be objective.
+/// less FollowerLoads, with F = I + grad u, the pressure p of the fluid in
+/// space, and J_0 what the stage begins with: fluid is conserved to round-off,
+/// whatever the step.
 class TotalLagrangianForm : public BodyForm
 {
 public:
@@ -29,9 +31,10 @@ public:
    /// deformation. Collective.
    TotalLagrangianForm(const NamedMesh &mesh, BiphasicSpaces &spaces,
                        const MaterialTable &materials,
-                       const std::vector<SpringFoundation> &springs);
+                       const std::vector<SpringFoundation> &springs,
+                       const FollowerLoads &loads);
 
-   int ConservedSize() const override { return points; }
+   int ConservedSize() const override { return element.AllPoints(); }
    void GetConserved(const mfem::Vector &u,
                      mfem::Vector &conserved) const override;
    void StartStage(const BodyStage &stage, const mfem::Vector &pressure_rate,
@@ -41,6 +44,7 @@ public:
    void MultFromStart(const BodyStage &stage, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;
    void GetGrowth(const BodyStage &stage, mfem::Vector &growth) const override;
+   mfem::real_t Inflow(const BodyStage &stage) const override;
    void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
                       const mfem::Vector &p, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;
@@ -51,25 +55,37 @@ public:
 
 private:
    /// Sets u and p from true dofs.
-   void ToLocal(const mfem::Vector &true_u, const mfem::Vector &true_p) const;
+   void ToLocal(const BodyStage &stage) const;
+   /// Adds an element's part, local dofs; not finite where its state is
+   /// impossible.
+   void AddElement(const BodyStage &stage, mfem::Vector &momentum,
+                   mfem::Vector &mass) const;
    void AddStabilization(const BodyStage &stage, mfem::Vector &mass) const;
-   /// Of the element's point, without reduction.
-   std::string ValidatePoint() const;
+   void AddSprings();
+   /// Sets what terms cancel where nothing is deformed.
+   void MeasureRest();
+   /// What is impossible at a point of the element, which has this number on
+   /// its rank; without reduction.
+   std::string ValidatePoint(int number, int point) const;
 
    const NamedMesh &mesh;
    BiphasicSpaces &spaces;
    const MaterialTable &materials;
    const std::vector<SpringFoundation> &springs;
+   const FollowerLoads &loads;
    VolumeMatrices matrices;
    std::unique_ptr<SmoothStabilization> smooth_stabilization;
    mfem::Vector relief;
-   /// Of all elements of this rank.
-   int points = 0;
+   /// Magnitudes of what cancels in a body at rest, true dofs.
+   mfem::Vector rest_momentum;
+   mfem::Vector rest_mass;
    LocalMatrix stiffness;
-   LocalMatrix coupling;
-   LocalMatrix flow_change;
+   LocalMatrix growth;
+   /// With the change of flow.
+   LocalMatrix divergence;
    LocalMatrix darcy;
    mutable BodyElement element;
+   ElementTangent tangent;
    /// Local dofs.
    mutable mfem::Vector u;
    mutable mfem::Vector p;

@@ -140,7 +140,8 @@ void BiphasicOperator::RecordBalance(const Stage &stage)
       drained += mass[dof];
    }
    MPI_Comm comm = spaces.GetComm();
-   const real_t sources = SumOverRanks(stage.mass_load.Sum(), comm);
+   const real_t sources =
+      SumOverRanks(stage.mass_load.Sum() + bodies->Inflow(stage), comm);
    fluid.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
    fluid.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
    fluid.error = fluid.growth + fluid.outflow;

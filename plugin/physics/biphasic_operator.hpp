@@ -127,7 +127,6 @@ private:
    /// One implicit stage with its loads.
    struct Stage : BodyStage
    {
-      mfem::real_t time = 0.0;
       mfem::Vector momentum_load;
       mfem::Vector mass_load;
       /// Whether the residual is that of BodyForm::MultFromStart().

@@ -15,24 +15,13 @@ using namespace mfem;
 BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
    : mesh(mesh_), deformation(options.deformation),
      spaces(mesh.Get(), options.order),
-     conditions(std::make_unique<BoundaryConditions>(spaces))
+     conditions(std::make_unique<BoundaryConditions>(spaces, deformation))
 {
 }
 
 void BiphasicProblem::VerifyOpen() const
 {
    MFEM_VERIFY(!op, "the problem has been assembled; set it up before");
-}
-
-void BiphasicProblem::VerifyUndeformedNormals(const std::string &boundary) const
-{
-   if (deformation == Deformation::finite)
-   {
-      throw Error("\"" + boundary +
-                  "\": loads along the normal would have to follow it in "
-                  "finite deformation, which they don't yet; give a traction "
-                  "by its components");
-   }
 }
 
 void BiphasicProblem::SetMaterial(const std::string &region,
@@ -95,7 +84,6 @@ void BiphasicProblem::AddNormalTraction(const std::string &boundary,
                                         const LoadCurve &value)
 {
    VerifyOpen();
-   VerifyUndeformedNormals(boundary);
    conditions->AddNormalTraction(mesh.Boundary(boundary), value);
 }
 
@@ -103,7 +91,6 @@ void BiphasicProblem::AddNormalFlux(const std::string &boundary,
                                     const LoadCurve &value)
 {
    VerifyOpen();
-   VerifyUndeformedNormals(boundary);
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
 }
 
@@ -212,8 +199,8 @@ std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
          "contact pairs in finite deformation are not there yet; leave "
          "them out, or take infinitesimal deformation");
    }
-   return std::make_unique<TotalLagrangianForm>(mesh, spaces, materials,
-                                                conditions->Springs());
+   return std::make_unique<TotalLagrangianForm>(
+      mesh, spaces, materials, conditions->Springs(), conditions->Followers());
 }
 
 BiphasicOperator &BiphasicProblem::Operator()

@@ -45,10 +45,12 @@ public:
                               const LoadCurve &value);
    /// Fluid pressure, positive in compression (stress).
    void PrescribePressure(const std::string &boundary, const LoadCurve &value);
-   /// Total traction: direction x value (stress).
+   /// Total traction: direction x value (stress); in finite deformation per
+   /// undeformed area.
    void AddTraction(const std::string &boundary, const mfem::Vector &direction,
                     const LoadCurve &value);
-   /// Total traction along the outward normal, positive in tension (stress).
+   /// Total traction along the outward normal, positive in tension (stress); in
+   /// finite deformation along the current one, per current area.
    void AddNormalTraction(const std::string &boundary, const LoadCurve &value);
    /// Springs on a fixed base: stiffness of all together (force / length),
    /// along
@@ -61,7 +63,8 @@ public:
    /// free unless they are prescribed.
    void DriveByForce(const std::vector<std::string> &boundaries,
                      const mfem::Vector &direction, const LoadCurve &force);
-   /// Outward relative flux (length / time).
+   /// Outward relative flux (length / time), per current area in finite
+   /// deformation.
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
 
    /// Lets two boundaries touch. Boundaries of contact pairs drain freely where
@@ -112,7 +115,6 @@ private:
    mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;
    Support &SupportOf(const std::string &boundary);
    void VerifyOpen() const;
-   void VerifyUndeformedNormals(const std::string &boundary) const;
    std::unique_ptr<BodyForm> MakeBodies();
 
    NamedMesh &mesh;

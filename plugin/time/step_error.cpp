@@ -27,9 +27,10 @@ int EstimateOrder(TimeScheme scheme)
    return scheme == TimeScheme::sdirk33 ? 3 : 2;
 }
 
-EnergyNorm::EnergyNorm(const VolumeMatrices &matrices_,
+EnergyNorm::EnergyNorm(const VolumeMatrices &matrices,
                        const Array<int> &offsets_)
-   : matrices(matrices_), offsets(offsets_)
+   : stiffness(matrices.stiffness), compliance(matrices.compliance),
+     offsets(offsets_)
 {
 }
 
@@ -40,10 +41,11 @@ real_t EnergyNorm::operator()(const Vector &x) const
    const Vector &p = state.GetBlock(1);
    Vector force(u.Size());
    Vector volume(p.Size());
-   matrices.stiffness->Mult(u, force);
-   matrices.compliance->Mult(p, volume);
-   const real_t energy = InnerProduct(matrices.stiffness->GetComm(), u, force) +
-                         InnerProduct(matrices.stiffness->GetComm(), p, volume);
+   stiffness->Mult(u, force);
+   compliance->Mult(p, volume);
+   MPI_Comm comm = stiffness->GetComm();
+   const real_t energy =
+      InnerProduct(comm, u, force) + InnerProduct(comm, p, volume);
    // Round-off can make that of a rigid motion negative.
    return std::sqrt(std::max(energy, real_t(0.0)));
 }

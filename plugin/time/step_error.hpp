@@ -21,18 +21,21 @@ int Order(TimeScheme scheme);
 ///
 ///     |(u, p)|^2 = (C eps(u), eps(u)) + (p / H_A, p)
 ///
-/// It is an energy in every system of units, blind to rigid motion, and
-/// measures the strains and the pressure of which stresses are made.
+/// It is an energy in every system of units, blind to (infinitesimal) rigid
+/// motion, and measures the strains and the pressure of which stresses are
+/// made.
 class EnergyNorm
 {
 public:
-   /// Borrows the arguments.
+   /// Shares the matrices of the undeformed bodies, which must be those now:
+   /// where bodies change them they make others. Borrows @a offsets.
    EnergyNorm(const VolumeMatrices &matrices, const mfem::Array<int> &offsets);
    /// Collective; @a x are true dofs.
    mfem::real_t operator()(const mfem::Vector &x) const;
 
 private:
-   const VolumeMatrices &matrices;
+   std::shared_ptr<const mfem::HypreParMatrix> stiffness;
+   std::shared_ptr<const mfem::HypreParMatrix> compliance;
    const mfem::Array<int> &offsets;
 };
 

@@ -1,0 +1,110 @@
+#include "synovia/fem/element_tangent.hpp"
+#include "synovia/materials/cofactor_derivative.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// contracted_bj = sum_d A_bd g_jd with the gradients g_j at a point.
+void Contract(const Tensor3<> &A, const DenseMatrix &gradients, int point,
+              real_t *contracted)
+{
+   const int dofs = gradients.Height();
+   const real_t *const g = gradients.GetColumn(3 * point);
+   for (int b = 0; b < 3; b++)
+   {
+      for (int j = 0; j < dofs; j++)
+      {
+         contracted[b * dofs + j] =
+            A[b][0] * g[j] + A[b][1] * g[dofs + j] + A[b][2] * g[2 * dofs + j];
+      }
+   }
+}
+
+// The derivatives of a component of a tensor by F.
+Tensor3<> Row(const Tangent3 &tangent, int component)
+{
+   Tensor3<> row;
+   for (int k = 0; k < 9; k++)
+   {
+      row[k / 3][k % 3] = tangent[component][k];
+   }
+   return row;
+}
+
+// The change of component a of the flow K grad p with F.
+Tensor3<> FlowChange(const Tangent3 &tangent, const Vector3<> &grad_p, int a)
+{
+   return grad_p[0] * Row(tangent, 3 * a) +
+          grad_p[1] * Row(tangent, 3 * a + 1) +
+          grad_p[2] * Row(tangent, 3 * a + 2);
+}
+} // namespace
+
+void ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
+                             const PermeabilityLaw &permeability, real_t dt)
+{
+   const DenseMatrix &gradients = element.Gradients();
+   const DenseMatrix &p_gradients = element.PressureGradients();
+   const int nodes = gradients.Height();
+   const int p_dofs = p_gradients.Height();
+   const int points = element.Points();
+   stress_changes.SetSize(9 * nodes, 3 * points);
+   volume_changes.SetSize(3 * nodes, points);
+   flow_changes.SetSize(3 * nodes, 3 * points);
+   flows.SetSize(p_dofs, 3 * points);
+   Tensor3<> value;
+   Tangent3 tangent;
+   for (int q = 0; q < points; q++)
+   {
+      const real_t weight = element.Weight(q);
+      const Tensor3<> F = element.DeformationGradient(q);
+      solid.GetStress(element.Point(q), F, value, &tangent);
+      tangent -= element.Pressure(q) * CofactorDerivative(F);
+      tangent = weight * tangent;
+      for (int c = 0; c < 3; c++)
+      {
+         for (int a = 0; a < 3; a++)
+         {
+            Contract(Row(tangent, 3 * a + c), gradients, q,
+                     stress_changes.GetColumn(3 * q + c) + 3 * nodes * a);
+         }
+      }
+      Contract(weight * Cofactor(F), gradients, q, volume_changes.GetColumn(q));
+      permeability.GetReferential(element.Point(q), F, value, &tangent);
+      tangent = (weight * dt) * tangent;
+      value = weight * value;
+      const Vector3<> grad_p = element.PressureGradient(q);
+      for (int a = 0; a < 3; a++)
+      {
+         Contract(FlowChange(tangent, grad_p, a), gradients, q,
+                  flow_changes.GetColumn(3 * q + a));
+      }
+      Contract(value, p_gradients, q, flows.GetColumn(3 * q));
+   }
+
+   stiffness_rows.SetSize(nodes, 9 * nodes);
+   MultABt(gradients, stress_changes, stiffness_rows);
+   stiffness.SetSize(3 * nodes);
+   for (int a = 0; a < 3; a++)
+   {
+      for (int j = 0; j < 3 * nodes; j++)
+      {
+         const real_t *const rows = stiffness_rows.GetColumn(3 * nodes * a + j);
+         std::copy(rows, rows + nodes, stiffness.GetColumn(j) + a * nodes);
+      }
+   }
+   growth.SetSize(p_dofs, 3 * nodes);
+   MultABt(element.PressureShapes(), volume_changes, growth);
+   flow_change.SetSize(p_dofs, 3 * nodes);
+   MultABt(p_gradients, flow_changes, flow_change);
+   darcy.SetSize(p_dofs);
+   MultABt(p_gradients, flows, darcy);
+}
+
+} // namespace synovia

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "synovia/fem/body_element.hpp"
+#include "synovia/materials/permeability_law.hpp"
+#include "synovia/materials/solid_law.hpp"
+
+namespace synovia
+{
+
+/// The derivative of the integrals over an element of a deforming body by its
+/// displacement u and pressure p, as matrices by its dofs:
+///
+///     stiffness    int grad w : [dP_e/dF - p d(J F^-T)/dF] : grad du
+///     growth       int q J F^-T : grad du
+///     flow_change  dt int grad q . (dK/dF : grad du) grad p
+///     darcy        int grad q . K grad dp
+class ElementTangent
+{
+public:
+   /// Of the element that @a element is set to, a state that both laws allow.
+   void Compute(BodyElement &element, const SolidLaw &solid,
+                const PermeabilityLaw &permeability, mfem::real_t dt);
+
+   mfem::DenseMatrix stiffness;
+   mfem::DenseMatrix growth;
+   mfem::DenseMatrix flow_change;
+   mfem::DenseMatrix darcy;
+
+private:
+   // Gradients of shape functions contracted with tensors, all points beside
+   // each other: factors of the products that make the matrices.
+   mfem::DenseMatrix stress_changes;
+   mfem::DenseMatrix volume_changes;
+   mfem::DenseMatrix flow_changes;
+   mfem::DenseMatrix flows;
+   mfem::DenseMatrix stiffness_rows;
+};
+
+} // namespace synovia
