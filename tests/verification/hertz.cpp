@@ -185,10 +185,10 @@ TEST_CASE("Force, radius, area and peak pressure of Hertz's contact")
    CAPTURE(coarse.force, coarse.radius, coarse.area_radius, coarse.peak);
    CAPTURE(middle.force, middle.radius, middle.area_radius, middle.peak);
    CAPTURE(fine.force, fine.radius, fine.area_radius, fine.peak);
-   CHECK(std::abs(fine.force) <= 0.01);
-   CHECK(std::abs(fine.radius) <= 0.02);
+   CHECK(std::abs(fine.force) <= 0.002);
+   CHECK(std::abs(fine.radius) <= 0.015);
    CHECK(std::abs(fine.area_radius) <= 0.01);
-   CHECK(std::abs(fine.peak) <= 0.02);
+   CHECK(std::abs(fine.peak) <= 0.015);
    CHECK(std::abs(fine.force) < std::abs(coarse.force));
    CHECK(std::abs(fine.radius) < std::abs(coarse.radius));
    CHECK(std::abs(fine.area_radius) < std::abs(middle.area_radius));
