@@ -343,7 +343,17 @@ TEST_CASE("Meshes that do not match pass the patch test to round-off")
                std::array<int, 2>{5, 7}, std::array<int, 2>{3, 3});
    Patch patch = MakePatch(cells);
    patch.order = GENERATE(1, 2);
-   patch.normal = GENERATE(ContactNormal::destination, ContactNormal::mean);
+   INFO(Describe(patch));
+   const Errors errors = Solve(patch);
+   CHECK(errors.traction <= solved);
+   CHECK(errors.displacement <= solved);
+   CheckBalance(errors);
+}
+
+TEST_CASE("Mean normals pass the patch test")
+{
+   Patch patch = MakePatch({{2, 3}});
+   patch.normal = ContactNormal::mean;
    INFO(Describe(patch));
    const Errors errors = Solve(patch);
    CHECK(errors.traction <= solved);
@@ -354,8 +364,7 @@ TEST_CASE("Meshes that do not match pass the patch test to round-off")
 TEST_CASE("A curved interface passes the patch test")
 {
    const std::array<int, 2> cells =
-      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3},
-               std::array<int, 2>{3, 3});
+      GENERATE(std::array<int, 2>{2, 3}, std::array<int, 2>{4, 3});
    Patch patch = MakePatch(cells);
    patch.normal = GENERATE(ContactNormal::destination, ContactNormal::mean);
    INFO(Describe(patch));
