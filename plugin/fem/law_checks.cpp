@@ -5,6 +5,7 @@
 #include "synovia/general/text.hpp"
 #include "synovia/materials/stiffness_range.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,13 +92,33 @@ std::string Fault(const DenseMatrix &stiffness, DenseMatrix &workspace)
    return "";
 }
 
+// Whether the undeformed body has the same permeability in all directions.
+bool IsIsotropic(const PermeabilityLaw &law, const MaterialPoint &point)
+{
+   constexpr real_t round_off = 1e-12;
+   Tensor3<> K;
+   if (!law.GetReferential(point, IdentityTensor(), K, nullptr))
+   {
+      return false;
+   }
+   real_t difference = 0.0;
+   for (int k = 0; k < 9; k++)
+   {
+      const bool diagonal = k / 3 == k % 3;
+      difference = std::max(
+         difference, std::abs(K[k / 3][k % 3] - (diagonal ? K[0][0] : 0.0)));
+   }
+   return difference <= round_off * K[0][0];
+}
+
 // Looks at the laws of one element after the other.
 class LawCheck
 {
 public:
    LawCheck(NamedMesh &mesh_, BiphasicSpaces &spaces_,
-            const MaterialTable &materials_)
-      : mesh(mesh_), spaces(spaces_), materials(materials_)
+            const MaterialTable &materials_, Deformation deformation_)
+      : mesh(mesh_), spaces(spaces_), materials(materials_),
+        deformation(deformation_)
    {
    }
 
@@ -152,6 +173,13 @@ private:
             return "the permeability" + Place(element, ip) + " is " +
                    ToText(value) + "; it must be positive and finite";
          }
+         if (deformation == Deformation::infinitesimal &&
+             !IsIsotropic(law, {map, ip}))
+         {
+            return "the permeability" + Place(element, ip) +
+                   " differs from one direction to another, which "
+                   "infinitesimal deformation doesn't know";
+         }
       }
       return "";
    }
@@ -169,6 +197,7 @@ private:
    NamedMesh &mesh;
    BiphasicSpaces &spaces;
    const MaterialTable &materials;
+   Deformation deformation;
    IsoparametricTransformation map;
    DenseMatrix stiffness;
    DenseMatrix workspace;
@@ -198,10 +227,10 @@ void VerifyScales(const NamedMesh &mesh, const MaterialTable &materials)
 } // namespace
 
 void VerifyLaws(NamedMesh &mesh, BiphasicSpaces &spaces,
-                const MaterialTable &materials)
+                const MaterialTable &materials, Deformation deformation)
 {
    VerifyScales(mesh, materials);
-   LawCheck check(mesh, spaces, materials);
+   LawCheck check(mesh, spaces, materials, deformation);
    std::string message;
    int mine = std::numeric_limits<int>::max();
    for (int i = 0; i < mesh.Get().GetNE(); i++)

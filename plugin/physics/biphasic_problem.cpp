@@ -183,7 +183,7 @@ void BiphasicProblem::VerifyMaterials()
    {
       throw Error("no material is set for: " + missing);
    }
-   VerifyLaws(mesh, spaces, materials);
+   VerifyLaws(mesh, spaces, materials, deformation);
 }
 
 std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()

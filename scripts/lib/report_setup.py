@@ -40,23 +40,31 @@ def components(values: Iterable) -> str:
     return "; ".join(parts)
 
 
+def solid_columns(solid: dict) -> tuple[str, ...]:
+    """Law, moduli and Poisson's ratios; those of the parts of a mixture."""
+    parts = [solid_columns(part) for part in solid.get("solids", ())]
+    if parts:
+        return tuple("; ".join(filter(None, column)) for column in zip(*parts))
+    values = {name: number(value) for name, value in solid.items()
+              if name != "model"}
+    named = [[f"{name} = {value}" for name, value in values.items()
+              if name.startswith("nu") == ratio] for ratio in (False, True)]
+    return (str(solid.get("model", "")).replace("_", " "),
+            *(", ".join(column) for column in named))
+
+
 def material_rows(case: dict) -> list[tuple[str, ...]]:
     rows = []
     for material in case.get("material", ()):
-        solid = dict(material.get("solid", {}))
-        model = str(solid.pop("model", "")).replace("_", " ")
-        moduli = [f"{name} = {number(value)}" for name, value in solid.items()
-                  if not name.startswith("nu")]
-        ratios = [f"{name} = {number(value)}" for name, value in solid.items()
-                  if name.startswith("nu")]
         flow = dict(material.get("permeability", {}))
         law = flow.pop("model", "constant")
         values = [number(flow.pop("value"))] if "value" in flow else []
         values += [f"{name} = {number(value)}" for name, value in flow.items()]
         if law != "constant":
             values.insert(0, str(law).replace("_", " "))
-        rows.append((", ".join(material.get("regions", ())), model,
-                     ", ".join(moduli), ", ".join(ratios), ", ".join(values),
+        rows.append((", ".join(material.get("regions", ())),
+                     *solid_columns(material.get("solid", {})),
+                     ", ".join(values),
                      number(material.get("solid_fraction", ""))))
     return rows
 
@@ -134,6 +142,8 @@ def numerics_rows(case: dict, units: Units) -> list[tuple[str, str]]:
     if "order" in case.get("space", {}):
         rows.append(("Order of the displacement",
                      number(case["space"]["order"])))
+    if "deformation" in case.get("physics", {}):
+        rows.append(("Deformation", case["physics"]["deformation"]))
     for key, name in (("end", "End"), ("step", "Time step")):
         if key in time:
             text = number(time[key])

@@ -195,3 +195,18 @@ TEST_CASE("The scales that laws give must be positive", "[laws]")
       CaseError(solid, permeability, 1),
       Catch::StartsWith("the typical permeability of region \"upper\" is nan"));
 }
+
+TEST_CASE("Infinitesimal deformation takes isotropic permeabilities", "[laws]")
+{
+   const CartesianFrame frame(Point3{{1.0, 0.0, 0.0}});
+   const PoreGrowth growth{1.0, 1.0, 0.2};
+   const PatchySolid solid(nothing);
+   const ReferentialIsotropicPermeability same(1e-3, 2e-3, 3e-3, growth);
+   CHECK(CaseError(solid, same, 1) == "");
+   const ReferentialTransverselyIsotropicPermeability along(
+      {1e-3, 0.0, 1e-3, 0.0, 0.0}, growth, growth, growth, frame);
+   CHECK_THAT(CaseError(solid, along, 1),
+              Catch::StartsWith("the permeability of region \"upper\" in "
+                                "element ") &&
+                 Catch::Contains("differs from one direction to another"));
+}

@@ -501,5 +501,19 @@ class Report(unittest.TestCase):
                       report_setup.remedies(["Newton's method"], {})[0])
 
 
+class Materials(unittest.TestCase):
+    def test_a_mixture_is_that_of_its_parts(self):
+        solid = {"model": "mixture", "solids": [
+            {"model": "neo_hookean", "E": 0.075, "nu": 0.3},
+            {"model": "fiber_nh", "mu": 50.0}]}
+        flow = {"model": "holmes_mow", "value": 4e-3, "M": 2.0, "alpha": 2.0}
+        case = {"material": [{"regions": ["meniscus"], "solid": solid,
+                              "permeability": flow, "solid_fraction": 0.25}]}
+        self.assertEqual(
+            report_setup.material_rows(case),
+            [("meniscus", "neo hookean; fiber nh", "E = 0.075; mu = 50",
+              "nu = 0.3", "holmes mow, 0.004, M = 2, alpha = 2", "0.25")])
+
+
 if __name__ == "__main__":
     unittest.main()
