@@ -479,6 +479,36 @@ TEST_CASE("Fibers resist no compression", "[laws]")
          Approx(2.0 * (1.21 - 1.0) / (1.1 * 0.81) * 1.21));
 }
 
+TEST_CASE("Fibers have the modulus that is said of them", "[laws]")
+{
+   const CartesianFrame along_x(Point3{{1.0, 0.0, 0.0}});
+   const auto modulus = [](const SolidLaw &fibers, real_t stretch)
+   {
+      Tensor3<> F = IdentityTensor();
+      F[0][0] = stretch;
+      Tangent3 tangent;
+      StressOf(fibers, F, &tangent);
+      return tangent[0][0];
+   };
+   const real_t taut = 1.0 + 1e-7;
+   CHECK(modulus(FiberNh(2.0, along_x), taut) == Approx(4.0).epsilon(1e-6));
+   CHECK(modulus(FiberPow(3.0, 2.0, along_x), taut) ==
+         Approx(24.0).epsilon(1e-6));
+   CHECK(modulus(FiberExpPow(1.0, 2.0, 3.0, 0.0, 1.0, along_x), taut) ==
+         Approx(12.0).epsilon(1e-6));
+   CHECK(modulus(FiberNaturalNh(5.0, 1.0, along_x), taut) ==
+         Approx(5.0).epsilon(1e-6));
+   // Its toe meets the straight part with the same stress and stiffness.
+   const FiberPowLinear toe(10.0, 1.1, 3.0, along_x);
+   CHECK(modulus(toe, 1.1 - 1e-9) == Approx(modulus(toe, 1.1 + 1e-9)));
+   Tensor3<> before = IdentityTensor();
+   Tensor3<> beyond = IdentityTensor();
+   before[0][0] = 1.1 - 1e-9;
+   beyond[0][0] = 1.1 + 1e-9;
+   CHECK(StressOf(toe, before)[0][0] ==
+         Approx(StressOf(toe, beyond)[0][0]).epsilon(1e-6));
+}
+
 TEST_CASE("A porous solid has no stress without pores", "[laws]")
 {
    const Made porous("porous_neo_hookean", {{"E", 0.5}});
