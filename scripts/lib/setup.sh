@@ -8,12 +8,13 @@ source "$SYNOVIA_SCRIPTS/lib/python.sh"
 # shellcheck source=scripts/lib/mfem.sh
 source "$SYNOVIA_SCRIPTS/lib/mfem.sh"
 
-# Sets MFEM_DIR and SYNOVIA_PYTHON.
+# setup_all [LIST...]: sets MFEM_DIR and SYNOVIA_PYTHON; installs the packages
+# of these lists of scripts/, too.
 setup_all()
 {
    take_lock 9 "$SYNOVIA_CACHE/lock"
-   install_packages "$SYNOVIA_SCRIPTS/packages.txt" \
-      "$SYNOVIA_SCRIPTS/packages-python.txt"
+   local lists=(packages.txt packages-python.txt "$@")
+   install_packages "${lists[@]/#/$SYNOVIA_SCRIPTS/}"
    check_blas
    setup_python
    setup_mfem

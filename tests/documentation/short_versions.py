@@ -46,6 +46,9 @@ NOT_RUN = {
     "cmake --install build --prefix /where/you/like":
         "the path stands for one of the reader",
     "scripts/test --sanitize": "builds all of it a second time",
+    "scripts/test --compiler clang++-14 --build-type Debug":
+        "builds all of it a second time",
+    "scripts/test --tidy": "takes ten minutes",
     "sbatch scripts/benchmark.slurm": "needs a cluster",
     "scripts/compare_histories ../before/build/miniapps/synovia "
     "build/miniapps/synovia": "needs a second build",
