@@ -19,11 +19,11 @@ constexpr int per_body = RigidMotions::per_body;
 // Contact pushes along a motion if its surfaces sweep at least this part of
 // what they would along their normals.
 constexpr real_t least_part = 0.02;
-// Surfaces slide if the mean square of their motion along the normals is less
-// than this part of that of the whole motion: flat faces of round surfaces
-// don't hold them.
+// Surfaces slide in a motion whose normal components have a mean square below
+// this, the farthest point moving by about 1: flat faces of a round surface
+// don't hold it.
 constexpr real_t slides = 1e-3;
-// Parts of a sliding motion that come from flat faces of round surfaces.
+// Smaller parts of a sliding motion are errors of such faces.
 constexpr real_t facets = 0.05;
 } // namespace
 

@@ -165,7 +165,7 @@ private:
    real_t tolerance = 0.0;
 };
 
-/// Says why a plane looks like one of symmetry.
+/// Why a plane may be one of symmetry.
 class CutJudge
 {
 public:

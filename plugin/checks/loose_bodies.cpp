@@ -98,7 +98,7 @@ std::string Listed(const std::vector<std::string> &words)
    return text;
 }
 
-// Directions by the bodies that go there together, and why nothing holds them.
+// Directions of free motion, by the bodies that move together and the reason.
 class LooseDirections
 {
 public:

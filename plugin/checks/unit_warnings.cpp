@@ -21,7 +21,7 @@ constexpr real_t tie = 1e-6;
 struct Suspicion
 {
    UnitFactors factors;
-   /// Where it is in the case, what it is, and whether that looks too large.
+   /// Key of the case, what it says, and in which way that is wrong.
    std::string path;
    std::string what;
    std::string looks;
@@ -60,11 +60,17 @@ public:
       }
       for (const real_t factor : {1e12, 1e-12})
       {
-         AddPermeabilities(factor);
+         AddMaterials({"permeability.value", "permeability", "permeabilities",
+                       "from m^4/(N s) to mm^4/(N s) it is a factor of 1e12",
+                       &UnitFactors::permeability},
+                      factor);
       }
       for (const real_t factor : {1e6, 1e-6})
       {
-         AddStiffnesses(factor);
+         AddMaterials({"solid", "stiffness", "stiffnesses",
+                       "from Pa to MPa it is a factor of 1e-6",
+                       &UnitFactors::stiffness},
+                      factor);
       }
    }
 
@@ -107,46 +113,33 @@ private:
       list.push_back(moves);
    }
 
-   void AddPermeabilities(real_t factor)
+   // What all materials have, in words.
+   struct Property
    {
-      const std::string remedy =
-         "from m^4/(N s) to mm^4/(N s) it is a factor of 1e12";
-      for (size_t i = 0; i < Materials() && Materials() > 1; i++)
-      {
-         Suspicion one{UnitFactors(Materials()), Path(i, "permeability.value"),
-                       "the permeability of \"" + numbers.materials[i].name +
-                          "\" looks",
-                       Looks(factor), remedy};
-         one.factors.permeability[i] = factor;
-         list.push_back(one);
-      }
-      Suspicion all{UnitFactors(Materials()), Path(0, "permeability.value"),
-                    Materials() > 1 ? "all permeabilities look"
-                                    : "the permeability looks",
-                    Looks(factor), remedy};
-      all.of_all = true;
-      all.factors.permeability.assign(Materials(), factor);
-      list.push_back(all);
-   }
+      std::string key;
+      std::string singular;
+      std::string plural;
+      std::string remedy;
+      std::vector<real_t> UnitFactors::*factors;
+   };
 
-   void AddStiffnesses(real_t factor)
+   void AddMaterials(const Property &property, real_t factor)
    {
-      const std::string remedy = "from Pa to MPa it is a factor of 1e-6";
       for (size_t i = 0; i < Materials() && Materials() > 1; i++)
       {
-         Suspicion one{UnitFactors(Materials()), Path(i, "solid"),
-                       "the stiffness of \"" + numbers.materials[i].name +
-                          "\" looks",
-                       Looks(factor), remedy};
-         one.factors.stiffness[i] = factor;
+         Suspicion one{UnitFactors(Materials()), Path(i, property.key),
+                       "the " + property.singular + " of \"" +
+                          numbers.materials[i].name + "\" looks",
+                       Looks(factor), property.remedy};
+         (one.factors.*property.factors)[i] = factor;
          list.push_back(one);
       }
-      Suspicion all{UnitFactors(Materials()), Path(0, "solid"),
-                    Materials() > 1 ? "all stiffnesses look"
-                                    : "the stiffness looks",
-                    Looks(factor), remedy};
+      Suspicion all{UnitFactors(Materials()), Path(0, property.key),
+                    Materials() > 1 ? "all " + property.plural + " look"
+                                    : "the " + property.singular + " looks",
+                    Looks(factor), property.remedy};
       all.of_all = true;
-      all.factors.stiffness.assign(Materials(), factor);
+      (all.factors.*property.factors).assign(Materials(), factor);
       list.push_back(all);
    }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/run with cases of a user, and scripts/python, on a finished build.
+"""scripts/run with a case of a user, scripts/python, options of scripts/test.
 
 Meshes are made when they have to be, by our scripts only and to where the case
 says; runs end with the status of synovia; what is wrong is said.
@@ -184,6 +184,18 @@ class Python(Scripts):
                 self.assert_error(done, os.path.basename(script) + ": error: ",
                                   "No module named", "requirements.txt",
                                   f"{runner} {path} 'two columns'")
+
+
+class Test(Scripts):
+    """Before anything is set up."""
+
+    def test_wrong_options(self) -> None:
+        for arguments, text in (
+                (["--compiler"], "--compiler needs a value"),
+                (["--build-type", "Fast"], "there is no build type Fast"),
+                (["--tidy", "--sanitize"], "--tidy runs nothing")):
+            with self.subTest(arguments):
+                self.assert_error(self.start("test", *arguments), text)
 
 
 if __name__ == "__main__":

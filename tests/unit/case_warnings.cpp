@@ -1,16 +1,12 @@
 // ranks: 1 2 3
 
 #include "synovia/checks/case_warnings.hpp"
-#include "support/boxes.hpp"
-#include "support/round_meshes.hpp"
+#include "support/warned_cases.hpp"
 #include "synovia/checks/contact_hints.hpp"
 #include "synovia/runs/problem_report.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <regex>
 #include <sstream>
 
 using namespace mfem;
@@ -19,161 +15,18 @@ using Catch::Matchers::Contains;
 
 namespace
 {
-// A layer, 10 x 10 x 2, under a block, 2 x 2 x 2: a quarter.
-const std::string pressed_layer = R"([mesh]
-file = "boxes.msh"
-[[material]]
-regions = ["lower"]
-solid = {E = 0.5, nu = 0.1}
-permeability = {value = 4e-3}
-[[material]]
-regions = ["upper"]
-solid = {E = 500, nu = 0.1}
-permeability = {value = 4}
-[[boundary]]
-surfaces = ["lower_z0"]
-displacement = [0, 0, 0]
-[[boundary]]
-surfaces = ["lower_x0", "upper_x0"]
-displacement = [0, "free", "free"]
-[[boundary]]
-surfaces = ["lower_y0", "upper_y0"]
-displacement = ["free", 0, "free"]
-[[boundary]]
-surfaces = ["upper_z1"]
-displacement = ["free", "free", {times = [0, 500], values = [0, -0.2]}]
-pressure = 0
-[[contact]]
-source = ["upper_z0"]
-destination = ["lower_z1"]
-[time]
-end = 1500
-step = 25
-)";
-
-std::string Replaced(std::string text, const std::string &from,
-                     const std::string &to)
-{
-   const size_t at = text.find(from);
-   REQUIRE(at != std::string::npos);
-   return text.replace(at, from.size(), to);
-}
-
-// The same with a force of 0.2 on the block's top.
-std::string WithForce()
-{
-   return Replaced(
-      pressed_layer,
-      R"(displacement = ["free", "free", {times = [0, 500], values = [0, -0.2]}])",
-      R"(displacement = [0, 0, "free"]
-force = {direction = [0, 0, -1], curve = {times = [0, 500], values = [0, 0.2]}})");
-}
-
-BoxOptions LayerOptions()
-{
-   BoxOptions layer;
-   layer.nx = 5;
-   layer.ny = 5;
-   layer.nz = 2;
-   layer.size_x = 10.0;
-   layer.size_y = 10.0;
-   layer.size_z = 2.0;
-   return layer;
-}
-
-BoxOptions BlockOptions()
-{
-   BoxOptions block;
-   block.nx = 1;
-   block.ny = 1;
-   block.nz = 1;
-   block.size_x = 2.0;
-   block.size_y = 2.0;
-   block.size_z = 2.0;
-   return block;
-}
-
-void LiftBlock(real_t height, Mesh &mesh)
-{
-   const BoxOptions layer = LayerOptions();
-   const int below = (layer.nx + 1) * (layer.ny + 1) * (layer.nz + 1);
-   for (int i = below; i < mesh.GetNV(); i++)
-   {
-      mesh.GetVertex(i)[2] += height;
-   }
-}
-
-NamedMesh PressedLayer(real_t scale = 1.0)
-{
-   Mesh mesh = MakeStackMesh(LayerOptions(), BlockOptions());
-   for (int i = 0; i < mesh.GetNV(); i++)
-   {
-      for (int d = 0; d < 3; d++)
-      {
-         mesh.GetVertex(i)[d] *= scale;
-      }
-   }
-   return DistributeStack(mesh, MPI_COMM_WORLD);
-}
-
-std::string Joined(const std::vector<std::string> &lines)
-{
-   std::string text;
-   for (const std::string &line : lines)
-   {
-      text += line + "\n";
-   }
-   return text;
-}
-
-/// The same text on all ranks, or the test fails.
-std::string OnAllRanks(const std::string &text)
-{
-   int length = static_cast<int>(text.size());
-   MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
-   std::string first = text;
-   first.resize(length);
-   MPI_Bcast(&first[0], length, MPI_CHAR, 0, MPI_COMM_WORLD);
-   CHECK(text == first);
-   return text;
-}
-
-std::string WarningsOf(const std::string &text, NamedMesh &mesh)
-{
-   const CaseFile setup = ParseCase(text, "case.toml");
-   CaseProblem problem(setup, mesh);
-   return OnAllRanks(
-      Joined(FindWarnings(setup, problem, CheckContact(setup, problem))));
-}
-
-std::string WarningsOf(const std::string &text)
-{
-   NamedMesh mesh = PressedLayer();
-   return WarningsOf(text, mesh);
-}
-
 std::string HintsOf(const std::string &text, NamedMesh &mesh)
 {
    const CaseFile setup = ParseCase(text, "case.toml");
    CaseProblem problem(setup, mesh);
    return OnAllRanks(Joined(ProblemReport(setup, problem).Hints()));
 }
-
-void CheckOneWarning(const std::string &warnings,
-                     const std::vector<std::string> &texts)
-{
-   CHECK(std::count(warnings.begin(), warnings.end(), '\n') == 1);
-   for (const std::string &text : texts)
-   {
-      CHECK_THAT(warnings, Contains(text));
-   }
-}
 } // namespace
 
 TEST_CASE("A case that is right draws no warning", "[warnings]")
 {
    CHECK(WarningsOf(pressed_layer) == "");
-   CHECK(WarningsOf(WithForce()) == "");
+   CHECK(WarningsOf(PressedByForce()) == "");
    // A stand-in for a rigid block, a quick test and a slow one.
    CHECK(WarningsOf(Replaced(Replaced(pressed_layer, "E = 500", "E = 5e5"),
                              "value = 4}", "value = 4e3}")) == "");
@@ -240,7 +93,7 @@ TEST_CASE("Wrong units of all materials are told from the mesh's", "[warnings]")
                 : Replaced(Replaced(text, "value = 4e-3", "value = " + first),
                            "value = 4}", "value = " + second);
    };
-   for (const std::string &text : {pressed_layer, WithForce()})
+   for (const std::string &text : {pressed_layer, PressedByForce()})
    {
       CheckOneWarning(WarningsOf(both(text, "4e-15", "4e-12}", "kappa")),
                       {"all permeabilities look 1e+12 times too small"});
@@ -311,36 +164,11 @@ TEST_CASE("Free sides are not planes of symmetry", "[warnings]")
 
 TEST_CASE("A quarter of a disc that lacks one plane of symmetry", "[warnings]")
 {
-   const std::string disc = R"([mesh]
-file = "disc.msh"
-[[material]]
-regions = ["body"]
-solid = {E = 0.5, nu = 0.1}
-permeability = {value = 4e-3}
-[[boundary]]
-surfaces = ["z0"]
-displacement = ["free", 0, 0]
-[[boundary]]
-surfaces = ["z1"]
-displacement = ["free", "free", {times = [0, 500], values = [0, -0.02]}]
-[[boundary]]
-surfaces = ["x0"]
-displacement = [0, "free", "free"]
-[[boundary]]
-surfaces = ["side"]
-pressure = 0
-[time]
-end = 1500
-step = 25
-)";
-   RoundOptions options;
-   options.radius = 1.5;
-   options.height = 0.25;
-   NamedMesh mesh = MakeQuarterCylinder(options);
-   CheckOneWarning(WarningsOf(disc, mesh),
+   NamedMesh mesh = PressedDisc();
+   CheckOneWarning(WarningsOf(pressed_disc, mesh),
                    {"\"y0\" of \"body\" in the plane y = 0", "area 0.375",
                     "another plane of symmetry"});
-   const std::string whole = disc + R"([[boundary]]
+   const std::string whole = pressed_disc + R"([[boundary]]
 surfaces = ["y0"]
 displacement = ["free", 0, "free"]
 )";
@@ -353,176 +181,6 @@ displacement = ["free", 0, "free"]
    REQUIRE(report.Regions().size() == 1);
    CHECK(report.Regions()[0].thickness == Approx(0.25));
    CHECK(report.Regions()[0].drainage_length == Approx(1.5).epsilon(0.01));
-}
-
-TEST_CASE("Bodies that contact alone doesn't hold", "[warnings]")
-{
-   const std::string floating = Replaced(pressed_layer, R"([[boundary]]
-surfaces = ["lower_z0"]
-displacement = [0, 0, 0]
-)",
-                                         "");
-   CheckOneWarning(
-      WarningsOf(floating),
-      {"only contact holds \"lower\" along z, from one side", "case.toml"});
-   CHECK_THAT(WarningsOf(Replaced(pressed_layer, "\"lower_x0\", \"upper_x0\"",
-                                  "\"lower_x0\"")),
-              Contains("only contact holds \"upper\" along x, which can't"));
-   // A force presses it on what it touches.
-   CHECK(WarningsOf(WithForce()) == "");
-
-   Mesh apart = MakeStackMesh(LayerOptions(), BlockOptions());
-   LiftBlock(0.5, apart);
-   NamedMesh mesh = DistributeStack(apart, MPI_COMM_WORLD);
-   CHECK(WarningsOf(WithForce(), mesh) == "");
-   const std::string with_traction = Replaced(
-      WithForce(),
-      "force = {direction = [0, 0, -1], curve = ", "traction = [0, 0, ");
-   CheckOneWarning(
-      WarningsOf(Replaced(with_traction, "[0, 0.2]}}", "[0, -0.05]}]"), mesh),
-      {"only contact holds \"upper\" along z, which it doesn't "
-       "touch yet: the least gap is 0.5"});
-}
-
-namespace
-{
-std::string Without(std::string text, const std::vector<std::string> &parts)
-{
-   for (const std::string &part : parts)
-   {
-      text = Replaced(text, part, "");
-   }
-   return text;
-}
-
-const std::string planes_of_symmetry = R"([[boundary]]
-surfaces = ["lower_x0", "upper_x0"]
-displacement = [0, "free", "free"]
-[[boundary]]
-surfaces = ["lower_y0", "upper_y0"]
-displacement = ["free", 0, "free"]
-)";
-
-const std::string pressed_top = R"([[boundary]]
-surfaces = ["upper_z1"]
-displacement = ["free", "free", {times = [0, 500], values = [0, -0.2]}]
-pressure = 0
-)";
-
-void Incline(const Vector &x, Vector &y)
-{
-   const real_t c = std::sqrt(0.75);
-   y[0] = c * x[0] + 0.5 * x[2];
-   y[1] = x[1];
-   y[2] = -0.5 * x[0] + c * x[2];
-}
-
-constexpr real_t sphere = 6.0;
-
-// A sphere through the lower corner on the z axis, center above.
-void MakeSpherical(const Vector &x, Vector &y)
-{
-   y = x;
-   if (x[2] > 2.05)
-   {
-      y[2] += sphere - std::sqrt(sphere * sphere - x[0] * x[0] - x[1] * x[1]);
-   }
-}
-} // namespace
-
-TEST_CASE("Bodies that slide or turn on what they touch", "[warnings]")
-{
-   CHECK_THAT(WarningsOf(Without(pressed_layer, {planes_of_symmetry})),
-              Contains("case.toml:11:1: boundary: only contact holds \"upper\" "
-                       "along x, along y and about z through (1, 1, 2), which "
-                       "can't, as there is no friction; prescribe "
-                       "displacements on one of its surfaces, or add springs"));
-   // Springs on its top hold it against that.
-   CHECK(WarningsOf(Without(pressed_layer, {planes_of_symmetry}) +
-                    "[[boundary]]\nsurfaces = [\"upper_z1\"]\n"
-                    "spring = {stiffness = 1e-3}\n")
-            .find("only contact") == std::string::npos);
-
-   Mesh tilted = MakeStackMesh(LayerOptions(), BlockOptions());
-   tilted.Transform(Incline);
-   NamedMesh mesh = DistributeStack(tilted, MPI_COMM_WORLD);
-   const std::string on_slope =
-      WarningsOf(Replaced(Without(pressed_layer, {pressed_top}),
-                          "\"lower_x0\", \"upper_x0\"", "\"lower_x0\""),
-                 mesh);
-   CHECK_THAT(on_slope, Contains("only contact holds \"upper\" along "
-                                 "(0.866025, 0, -0.5), which can't"));
-   CHECK_THAT(on_slope, Contains("only contact holds \"upper\" along z, "
-                                 "from one side"));
-   CHECK_THAT(on_slope, !Contains("about"));
-}
-
-TEST_CASE("A ball turns about its center", "[warnings]")
-{
-   BoxOptions block = BlockOptions();
-   block.nx = block.ny = 8;
-   Mesh ball = MakeStackMesh(LayerOptions(), block);
-   LiftBlock(0.1, ball);
-   ball.Transform(MakeSpherical);
-   NamedMesh mesh = DistributeStack(ball, MPI_COMM_WORLD);
-   const std::string warnings = WarningsOf(
-      Without(pressed_layer, {planes_of_symmetry, pressed_top}), mesh);
-   INFO(warnings);
-   // The third one's axis goes from the surface's center to the ball's.
-   const std::regex turns(
-      "only contact holds \"upper\" about y through "
-      "\\(([^,]+), 1, ([^,]+)\\), about x through \\(1, ([^,]+), ([^,]+)\\) "
-      "and about \\(-0.168[0-9]*, -0.168[0-9]*, 0.971[0-9]*\\) through [^;]*, "
-      "which can't, as there is no friction;");
-   std::smatch found;
-   REQUIRE(std::regex_search(warnings, found, turns));
-   for (const int axis : {0, 1})
-   {
-      CHECK(std::abs(std::stod(found[1 + 2 * axis])) < 0.1);
-      CHECK(std::stod(found[2 + 2 * axis]) ==
-            Approx(2.1 + sphere).epsilon(0.05));
-   }
-}
-
-TEST_CASE("Bodies that nothing keeps from turning", "[warnings]")
-{
-   // Each displacement is held in a plane through the axis.
-   const std::string hinged = R"([mesh]
-file = "disc.msh"
-[[material]]
-regions = ["body"]
-solid = {E = 0.5, nu = 0.1}
-permeability = {value = 4e-3}
-[[boundary]]
-surfaces = ["z0"]
-displacement = ["free", "free", 0]
-[[boundary]]
-surfaces = ["y0"]
-displacement = [0, "free", "free"]
-[[boundary]]
-surfaces = ["x0"]
-displacement = ["free", 0, "free"]
-[[boundary]]
-surfaces = ["side"]
-pressure = 0
-[time]
-end = 1500
-step = 25
-)";
-   RoundOptions options;
-   options.radius = 1.5;
-   options.height = 0.25;
-   NamedMesh mesh = MakeQuarterCylinder(options);
-   CHECK_THAT(
-      WarningsOf(hinged, mesh),
-      Contains("case.toml:7:1: boundary: nothing holds \"body\" about z "
-               "through (0, 0, 0.125); prescribe that displacement"));
-   CHECK_THAT(WarningsOf(Replaced(hinged,
-                                  "[\"z0\"]\ndisplacement = "
-                                  "[\"free\", \"free\"",
-                                  "[\"z0\"]\ndisplacement = [\"free\", 0"),
-                         mesh),
-              !Contains("nothing holds"));
 }
 
 TEST_CASE("Layers are measured through and to where they drain", "[warnings]")
