@@ -97,8 +97,8 @@ bool IsOneOf(const std::vector<real_t> &wanted, real_t t)
                       [t](real_t when) { return std::abs(t - when) < 1e-9; });
 }
 
-// Drained at the top, which moves by 30 % unless said.
-void Confine(BiphasicProblem &problem, const LoadCurve &top = Ramp(500.0, -0.3))
+// By 30 %, drained at the top.
+void Confine(BiphasicProblem &problem)
 {
    for (const char *side : {"x0", "x1"})
    {
