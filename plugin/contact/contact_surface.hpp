@@ -43,6 +43,9 @@ public:
    {
       return current(ip.x, ip.y);
    }
+   /// Both positions as functions of the reference coordinates.
+   const FacePolynomial &ReferenceShape() const { return reference; }
+   const FacePolynomial &CurrentShape() const { return current; }
    /// With the second derivatives of the current position.
    BentSurfacePoint CurrentBent(const mfem::IntegrationPoint &ip) const
    {

@@ -13,9 +13,15 @@ int RowLength(int order, bool complete, int power_of_eta)
    return complete ? order - power_of_eta + 1 : order + 1;
 }
 
-bool IsComplete(const FiniteElement &element)
+bool IsComplete(Geometry::Type geometry)
 {
-   return element.GetGeomType() == Geometry::TRIANGLE;
+   return geometry == Geometry::TRIANGLE;
+}
+
+int Powers(Geometry::Type geometry, int order)
+{
+   return IsComplete(geometry) ? (order + 1) * (order + 2) / 2
+                               : (order + 1) * (order + 1);
 }
 
 void MultiplyAdd(Point3 &a, real_t factor, const Point3 &b)
@@ -30,18 +36,26 @@ constexpr Point3 zero{{0.0, 0.0, 0.0}};
 } // namespace
 
 FacePolynomial::FacePolynomial(const FiniteElement &element)
-   : order(element.GetOrder()), complete(IsComplete(element)),
-     center(Geometries.GetCenter(element.GetGeomType())),
-     coefficients(3, element.GetDof())
+   : FacePolynomial(element.GetGeomType(), element.GetOrder())
 {
    MFEM_VERIFY(element.GetDim() == 2, "a face has two reference coordinates");
+   MFEM_VERIFY(element.GetDof() == coefficients.Width(),
+               "the element's shape functions are not all polynomials of its "
+               "order");
+}
+
+FacePolynomial::FacePolynomial(Geometry::Type geometry, int order_)
+   : order(order_), complete(IsComplete(geometry)),
+     center(Geometries.GetCenter(geometry)),
+     coefficients(3, Powers(geometry, order))
+{
    coefficients = 0.0;
 }
 
 DenseMatrix FacePolynomial::PowersFromNodes(const FiniteElement &element)
 {
    const int order = element.GetOrder();
-   const bool complete = IsComplete(element);
+   const bool complete = IsComplete(element.GetGeomType());
    const IntegrationPoint &center = Geometries.GetCenter(element.GetGeomType());
    const IntegrationRule &nodes = element.GetNodes();
    DenseMatrix powers(element.GetDof());

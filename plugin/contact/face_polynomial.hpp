@@ -52,11 +52,14 @@ public:
    /// @param element  whose space of polynomials it is, complete or of a tensor
    ///                 product
    explicit FacePolynomial(const mfem::FiniteElement &element);
+   /// The zero function of that space on a triangle or a square.
+   FacePolynomial(mfem::Geometry::Type geometry, int order);
 
    /// The map from values at the element's nodes, 3 x nodes, to coefficients,
    /// 3 x powers: nodes x powers.
    static mfem::DenseMatrix PowersFromNodes(const mfem::FiniteElement &element);
 
+   int Order() const { return order; }
    /// 3 x powers.
    mfem::DenseMatrix &Coefficients() { return coefficients; }
    const mfem::DenseMatrix &Coefficients() const { return coefficients; }

@@ -1,0 +1,239 @@
+#include "synovia/contact/finite_gap.hpp"
+#include "synovia/contact/local_blocks.hpp"
+#include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/general/reduce.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// A vertex that only grazes the source has no say: part of the largest area.
+constexpr real_t grazes = 1e-8;
+
+/// Rows are the vertices of a destination face, columns dofs of one face.
+class VertexBlock
+{
+public:
+   VertexBlock(std::size_t rows, std::size_t columns)
+      : values(static_cast<int>(rows), static_cast<int>(columns))
+   {
+      values = 0.0;
+   }
+   /// Adds weight_j x shape_k.
+   void Add(const Vector &weights, const Vector &shape)
+   {
+      AddMultVWt(weights, shape, values);
+   }
+   /// Adds weight_j x shape_k x direction_d in column 3 k + d.
+   void Add(const Vector &weights, const Vector &shape, const Point3 &direction)
+   {
+      for (int k = 0; k < shape.Size(); k++)
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            for (int j = 0; j < weights.Size(); j++)
+            {
+               values(j, 3 * k + d) += weights[j] * shape[k] * direction[d];
+            }
+         }
+      }
+   }
+   void AppendTo(real_t sign, const std::vector<HYPRE_BigInt> &rows,
+                 const std::vector<HYPRE_BigInt> &columns,
+                 std::vector<Triplet> &triplets) const
+   {
+      AppendBlock(sign, values, rows, 0, columns, triplets);
+   }
+
+private:
+   DenseMatrix values;
+};
+
+/// A sum over the vertices around them, zero at first.
+class VertexSums
+{
+public:
+   explicit VertexSums(const SurfaceVertices &surface_)
+      : surface(surface_), local(surface.LocalSize())
+   {
+      local = 0.0;
+   }
+   void Add(const Array<int> &vertices, real_t factor, const Vector &weights)
+   {
+      for (int j = 0; j < vertices.Size(); j++)
+      {
+         local[vertices[j]] += factor * weights[j];
+      }
+   }
+   /// Collective.
+   Vector OverRanks() const { return surface.SumShared(local); }
+
+private:
+   const SurfaceVertices &surface;
+   Vector local;
+};
+} // namespace
+
+FiniteGap::FiniteGap(const ContactSurface &source,
+                     const ContactSurface &destination,
+                     const GapOptions &options)
+   : spaces(destination.Spaces()), pairing(source, destination, options)
+{
+}
+
+void FiniteGap::Search()
+{
+   pairing.Segment();
+   Assemble();
+   AssembleCoverage();
+}
+
+void FiniteGap::Follow()
+{
+   pairing.Follow();
+   Assemble();
+}
+
+void FiniteGap::Assemble()
+{
+   const SurfaceVertices &m = pairing.Destination().Vertices();
+   VertexSums areas(m);
+   VertexSums gaps(m);
+   VertexSums current(m);
+   std::array<VertexSums, 3> normals{VertexSums(m), VertexSums(m),
+                                     VertexSums(m)};
+   std::array<VertexSums, 3> present_normals(normals);
+   std::vector<Triplet> gap_entries;
+   std::vector<Triplet> jump_entries;
+   PairedPointShapes at(pairing);
+   Vector phi;
+   const std::vector<PairedPoint> &points = pairing.Points();
+   // Points come face by face, and source face by source face.
+   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   {
+      const PairedPoint &first = points[begin];
+      at.Evaluate(first);
+      const FaceDofs &own = at.DestinationDofs();
+      const FaceDofs &other = at.SourceDofs();
+      const std::size_t rows = own.vertices.size();
+      VertexBlock own_gap(rows, own.displacement.size());
+      VertexBlock own_jump(rows, own.pressure.size());
+      VertexBlock other_gap(rows, other.displacement.size());
+      VertexBlock other_jump(rows, other.pressure.size());
+      for (; end < points.size() && points[end].face == first.face &&
+             points[end].source == first.source;
+           end++)
+      {
+         const PairedPoint &point = points[end];
+         at.Evaluate(point);
+         phi = at.Multiplier();
+         phi *= point.area;
+         own_gap.Add(phi, at.DestinationDisplacement(), at.Normal());
+         own_jump.Add(phi, at.DestinationPressure());
+         other_gap.Add(phi, at.SourceDisplacement(), at.Normal());
+         other_jump.Add(phi, at.SourcePressure());
+         areas.Add(at.Vertices(), 1.0, phi);
+         gaps.Add(at.Vertices(), point.gap, phi);
+         current.Add(at.Vertices(), at.Stretch(), phi);
+         for (int d = 0; d < 3; d++)
+         {
+            normals[d].Add(at.Vertices(), at.Normal()[d], phi);
+            present_normals[d].Add(at.Vertices(), at.Normal()[d] * at.Stretch(),
+                                   phi);
+         }
+      }
+      own_gap.AppendTo(-1.0, own.vertices, own.displacement, gap_entries);
+      own_jump.AppendTo(-1.0, own.vertices, own.pressure, jump_entries);
+      other_gap.AppendTo(1.0, own.vertices, other.displacement, gap_entries);
+      other_jump.AppendTo(1.0, own.vertices, other.pressure, jump_entries);
+   }
+   operators.area = areas.OverRanks();
+   gap = gaps.OverRanks();
+   present_area = current.OverRanks();
+   for (int d = 0; d < 3; d++)
+   {
+      operators.normal_area[d] = normals[d].OverRanks();
+      present_normal_area[d] = present_normals[d].OverRanks();
+   }
+   const real_t largest = MaxOverRanks(
+      operators.area.Size() > 0 ? operators.area.Max() : 0.0, spaces.GetComm());
+   inverse_area.SetSize(operators.area.Size());
+   for (int j = 0; j < inverse_area.Size(); j++)
+   {
+      real_t &area = operators.area[j];
+      area = area > grazes * largest ? area : 0.0;
+      inverse_area[j] = area > 0.0 ? 1.0 / area : 0.0;
+   }
+   gap *= inverse_area;
+   const auto assemble =
+      [&](const std::vector<Triplet> &entries, ParFiniteElementSpace &columns)
+   {
+      auto matrix = AssembleTriplets(
+         spaces.GetComm(), entries, m.Offsets(), m.GlobalSize(),
+         columns.GetTrueDofOffsets(), columns.GlobalTrueVSize());
+      matrix->ScaleRows(inverse_area);
+      return matrix;
+   };
+   operators.gap = assemble(gap_entries, spaces.Displacement());
+   operators.jump = assemble(jump_entries, spaces.Pressure());
+}
+
+void FiniteGap::AssembleCoverage()
+{
+   const SurfaceVertices &m = pairing.Destination().Vertices();
+   VertexSums sizes(m);
+   std::vector<Triplet> entries;
+   operators.face_coverage.clear();
+   PairedPointShapes at(pairing);
+   Vector phi;
+   const std::vector<PairedPoint> &points = pairing.Points();
+   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   {
+      const int face = points[begin].face;
+      FaceCoverage covered;
+      covered.face = face;
+      real_t hit_area = 0.0;
+      for (; end < points.size() && points[end].face == face; end++)
+      {
+         hit_area += points[end].area;
+      }
+      for (std::size_t i = begin; i < end; i++)
+      {
+         at.Evaluate(points[i]);
+         phi = at.Multiplier();
+         phi *= points[i].area;
+         const bool square = at.DestinationDofs().geometry == Geometry::SQUARE;
+         sizes.Add(at.Vertices(), std::sqrt((square ? 1.0 : 2.0) * hit_area),
+                   phi);
+         VertexBlock block(phi.Size(), at.SourceDofs().vertices.size());
+         phi *= at.Stretch();
+         phi /= at.SourceStretch();
+         block.Add(phi, at.SourceMultiplier());
+         block.AppendTo(1.0, at.DestinationDofs().vertices,
+                        at.SourceDofs().vertices, entries);
+         phi *= at.SourceStretch();
+         for (int j = 0; j < phi.Size(); j++)
+         {
+            covered.area[j] += phi[j];
+         }
+      }
+      operators.face_coverage.push_back(covered);
+   }
+   operators.face_size = sizes.OverRanks();
+   operators.face_size *= inverse_area;
+   for (Triplet &entry : entries)
+   {
+      std::swap(entry.row, entry.column);
+   }
+   const SurfaceVertices &covered_by = pairing.Source().Vertices();
+   operators.coverage =
+      AssembleTriplets(spaces.GetComm(), entries, covered_by.Offsets(),
+                       covered_by.GlobalSize(), m.Offsets(), m.GlobalSize());
+}
+
+} // namespace synovia

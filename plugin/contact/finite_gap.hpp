@@ -1,0 +1,85 @@
+#pragma once
+
+#include "synovia/contact/surface_pairing.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// Gap and pressure jump between two surfaces in finite deformation, with
+/// complete derivatives:
+///
+///     g_j = int phi_j n.(x_A - x_B) dA / a_j,
+///     [p]_j = int phi_j (p_A - p_B) dA / a_j,   a_j = int phi_j dA
+///
+/// A is the source, B the destination, n the unit normal of B in its current
+/// configuration (SurfaceNormals), x_A where it hits A there; the integrals run
+/// over those material points of B, with their reference areas dA, that hit.
+/// Tractions and fluxes that go with these are nominal, per reference area of
+/// B. Nodal forces act along n on both sides, so that forces and moments are in
+/// balance point by point; they are no gradient of the gap, so that the
+/// derivatives aren't symmetric.
+///
+/// Vectors have an entry for each vertex of the destination. All members are
+/// collective but those that return what is there.
+class FiniteGap
+{
+public:
+   /// Borrows both surfaces.
+   FiniteGap(const ContactSurface &source, const ContactSurface &destination,
+             const GapOptions &options);
+
+   /// Lets the surfaces look for each other anew where they are now.
+   void Search();
+   /// Lets the points of the last search follow to where the surfaces are now.
+   void Follow();
+   /// Sets the derivatives where the surfaces were last, for pressures @a p
+   /// (true dofs), nodal forces area x traction and nodal flows area x flux.
+   void Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
+                  const mfem::Vector &nodal_flow);
+
+   /// Whether points have gone to other faces since the last Search().
+   bool HasDrifted() const { return pairing.HasDrifted(); }
+
+   /// gap and jump of these are the maps G and J of nodal forces and flows;
+   /// gap_offset is not used. Areas are those of the undeformed surfaces, but
+   /// for face_coverage, which is that of the last Search().
+   const GapOperators &Operators() const { return operators; }
+   GapOperators &Operators() { return operators; }
+   /// g_j (length).
+   const mfem::Vector &Gap() const { return gap; }
+   /// int phi_j da and int phi_j n da in the current configuration (area).
+   const mfem::Vector &PresentArea() const { return present_area; }
+   const std::array<mfem::Vector, 3> &PresentNormalArea() const
+   {
+      return present_normal_area;
+   }
+
+   /// As ContactFactors has them.
+   const mfem::HypreParMatrix &GapChange() const { return *gap_change; }
+   const mfem::HypreParMatrix &JumpChange() const { return *jump_change; }
+   const mfem::HypreParMatrix &ForceChange() const { return *force_change; }
+   const mfem::HypreParMatrix &OutflowChange() const { return *outflow_change; }
+
+private:
+   /// Values and maps of forces and flows.
+   void Assemble();
+   /// What only changes with the points.
+   void AssembleCoverage();
+
+   BiphasicSpaces &spaces;
+   SurfacePairing pairing;
+   GapOperators operators;
+   mfem::Vector gap;
+   /// 1 / a_j, 0 where nothing is hit.
+   mfem::Vector inverse_area;
+   mfem::Vector present_area;
+   std::array<mfem::Vector, 3> present_normal_area;
+   std::unique_ptr<mfem::HypreParMatrix> gap_change;
+   std::unique_ptr<mfem::HypreParMatrix> jump_change;
+   std::unique_ptr<mfem::HypreParMatrix> force_change;
+   std::unique_ptr<mfem::HypreParMatrix> outflow_change;
+};
+
+} // namespace synovia

@@ -1,0 +1,239 @@
+#include "synovia/contact/finite_gap.hpp"
+#include "synovia/contact/local_blocks.hpp"
+#include "synovia/contact/paired_point_shapes.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// Entries of a derivative by the displacement: directly, and by way of the
+/// vertices' normals.
+class Change
+{
+public:
+   /// Columns of @a block are those of PairedPointShapes::Row().
+   void Append(const DenseMatrix &block, const std::vector<HYPRE_BigInt> &rows,
+               const PairedPointShapes &at)
+   {
+      const std::vector<HYPRE_BigInt> &other = at.SourceDofs().displacement;
+      const std::vector<HYPRE_BigInt> &own = at.DestinationDofs().displacement;
+      AppendBlock(1.0, block, rows, 0, other, direct);
+      AppendBlock(1.0, block, rows, static_cast<int>(other.size()), own,
+                  direct);
+      AppendBlock(1.0, block, rows, at.DisplacementColumns(), at.NormalRows(),
+                  by_normals);
+   }
+   /// Columns of @a block are those of the normals alone.
+   void AppendByNormals(const DenseMatrix &block,
+                        const std::vector<HYPRE_BigInt> &rows,
+                        const PairedPointShapes &at)
+   {
+      AppendBlock(1.0, block, rows, 0, at.NormalRows(), by_normals);
+   }
+
+   std::unique_ptr<HypreParMatrix>
+   Assemble(HYPRE_BigInt *row_offsets, HYPRE_BigInt rows,
+            ParFiniteElementSpace &displacement, const SurfaceNormals &normals,
+            const HypreParMatrix &normals_change) const
+   {
+      MPI_Comm comm = displacement.GetComm();
+      const auto by_displacement = AssembleTriplets(
+         comm, direct, row_offsets, rows, displacement.GetTrueDofOffsets(),
+         displacement.GlobalTrueVSize());
+      const auto by_normal =
+         AssembleTriplets(comm, by_normals, row_offsets, rows,
+                          normals.RowOffsets(), normals.GlobalRows());
+      const std::unique_ptr<HypreParMatrix> product(
+         ParMult(by_normal.get(), &normals_change, true));
+      return std::unique_ptr<HypreParMatrix>(
+         Add(1.0, *by_displacement, 1.0, *product));
+   }
+
+private:
+   std::vector<Triplet> direct;
+   std::vector<Triplet> by_normals;
+};
+
+/// What the points on one pair of faces add.
+class FacePairChange
+{
+public:
+   explicit FacePairChange(const PairedPointShapes &at_) : at(at_)
+   {
+      const int vertices = at.Multiplier().Size();
+      const int columns = at.Columns();
+      Clear(gap, vertices, columns);
+      Clear(jump, vertices, columns);
+      Clear(force, 3 * at.SourceDisplacement().Size(), columns);
+      Clear(outflow, at.SourcePressure().Size(), columns);
+      Clear(force_by_normals, 3 * at.SourceDisplacement().Size(), 3 * vertices);
+      Clear(own_force_by_normals, 3 * at.DestinationDisplacement().Size(),
+            3 * vertices);
+   }
+
+   /// @a weights: shape functions of the vertices x area. @a force and @a flow
+   /// of the point: area x traction and area x flux.
+   void AddPoint(const Vector &weights, real_t point_force, real_t point_flow)
+   {
+      at.Row(at.AlongGap(), row);
+      AddMultVWt(weights, row, gap);
+      for (int i = 0; i < 2; i++)
+      {
+         at.Row(at.AlongHit()[i], row);
+         AddMult_a_VWt(at.PressureSlopes()[i], weights, row, jump);
+         if (point_flow != 0.0)
+         {
+            at.SourcePressureSlopes().GetColumn(i, slope);
+            AddMult_a_VWt(point_flow, slope, row, outflow);
+         }
+         if (point_force != 0.0)
+         {
+            at.SourceDisplacementSlopes().GetColumn(i, slope);
+            SetAlongNormal(slope);
+            AddMult_a_VWt(point_force, along_normal, row, force);
+         }
+      }
+      if (point_force != 0.0)
+      {
+         AddTurn(point_force, at.SourceDisplacement(), force_by_normals);
+         AddTurn(-point_force, at.DestinationDisplacement(),
+                 own_force_by_normals);
+      }
+   }
+
+   void AppendTo(Change &all_gap, Change &all_jump, Change &all_force,
+                 Change &all_outflow) const
+   {
+      const FaceDofs &own = at.DestinationDofs();
+      const FaceDofs &other = at.SourceDofs();
+      all_gap.Append(gap, own.vertices, at);
+      all_jump.Append(jump, own.vertices, at);
+      all_force.Append(force, other.displacement, at);
+      all_outflow.Append(outflow, other.pressure, at);
+      all_force.AppendByNormals(force_by_normals, other.displacement, at);
+      all_force.AppendByNormals(own_force_by_normals, own.displacement, at);
+   }
+
+private:
+   static void Clear(DenseMatrix &matrix, int rows, int columns)
+   {
+      matrix.SetSize(rows, columns);
+      matrix = 0.0;
+   }
+   void SetAlongNormal(const Vector &shape)
+   {
+      along_normal.SetSize(3 * shape.Size());
+      for (int k = 0; k < shape.Size(); k++)
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            along_normal[3 * k + d] = shape[k] * at.Normal()[d];
+         }
+      }
+   }
+   /// A force that turns with the normal.
+   void AddTurn(real_t size, const Vector &shape, DenseMatrix &turn) const
+   {
+      for (int v = 0; v < at.Multiplier().Size(); v++)
+      {
+         for (int e = 0; e < 3; e++)
+         {
+            const Point3 change = at.NormalChange(v, e);
+            for (int k = 0; k < shape.Size(); k++)
+            {
+               for (int d = 0; d < 3; d++)
+               {
+                  turn(3 * k + d, 3 * v + e) += size * shape[k] * change[d];
+               }
+            }
+         }
+      }
+   }
+
+   const PairedPointShapes &at;
+   DenseMatrix gap;
+   DenseMatrix jump;
+   DenseMatrix force;
+   DenseMatrix outflow;
+   DenseMatrix force_by_normals;
+   DenseMatrix own_force_by_normals;
+   Vector row;
+   Vector slope;
+   Vector along_normal;
+};
+
+real_t Interpolate(const Vector &shape, const Array<int> &vertices,
+                   const Vector &values)
+{
+   real_t value = 0.0;
+   for (int v = 0; v < vertices.Size(); v++)
+   {
+      value += shape[v] * values[vertices[v]];
+   }
+   return value;
+}
+} // namespace
+
+void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
+                          const Vector &nodal_flow)
+{
+   const SurfaceVertices &m = pairing.Destination().Vertices();
+   pairing.SourceFaces().UpdatePressures(p);
+   Vector traction(nodal_force);
+   Vector flux(nodal_flow);
+   traction *= inverse_area;
+   flux *= inverse_area;
+   traction = m.Share(traction);
+   flux = m.Share(flux);
+
+   Change by_gap;
+   Change by_jump;
+   Change by_force;
+   Change by_outflow;
+   PairedPointShapes at(pairing);
+   Vector phi;
+   const std::vector<PairedPoint> &points = pairing.Points();
+   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   {
+      const PairedPoint &first = points[begin];
+      at.Evaluate(first);
+      FacePairChange change(at);
+      for (; end < points.size() && points[end].face == first.face &&
+             points[end].source == first.source;
+           end++)
+      {
+         const PairedPoint &point = points[end];
+         at.EvaluateWithSlopes(point);
+         const real_t t = Interpolate(at.Multiplier(), at.Vertices(), traction);
+         const real_t q = Interpolate(at.Multiplier(), at.Vertices(), flux);
+         phi = at.Multiplier();
+         phi *= point.area;
+         change.AddPoint(phi, point.area * t, point.area * q);
+      }
+      change.AppendTo(by_gap, by_jump, by_force, by_outflow);
+   }
+   const SurfaceNormals &normals = pairing.Normals();
+   const auto normals_change = normals.Derivative();
+   ParFiniteElementSpace &u = spaces.Displacement();
+   const auto by_vertex = [&](const Change &change)
+   {
+      auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(), u, normals,
+                                    *normals_change);
+      matrix->ScaleRows(inverse_area);
+      return matrix;
+   };
+   const auto by_dof = [&](const Change &change, ParFiniteElementSpace &rows)
+   {
+      return change.Assemble(rows.GetTrueDofOffsets(), rows.GlobalTrueVSize(),
+                             u, normals, *normals_change);
+   };
+   gap_change = by_vertex(by_gap);
+   jump_change = by_vertex(by_jump);
+   force_change = by_dof(by_force, u);
+   outflow_change = by_dof(by_outflow, spaces.Pressure());
+}
+
+} // namespace synovia

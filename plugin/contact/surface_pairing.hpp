@@ -1,0 +1,107 @@
+#pragma once
+
+#include "synovia/contact/face_halo.hpp"
+#include "synovia/contact/gap_operators.hpp"
+#include "synovia/contact/segmentation.hpp"
+#include "synovia/contact/surface_normals.hpp"
+
+#include <vector>
+
+namespace synovia
+{
+
+/// A quadrature point of the destination and the point of the source that its
+/// current normal n hits: x_A(xi) = x_B + gap n.
+struct PairedPoint
+{
+   /// Number of the destination face, where on it, and the reference area that
+   /// the point stands for.
+   int face = -1;
+   mfem::IntegrationPoint ip;
+   mfem::real_t area = 0.0;
+   /// Size of the source face that it was made for (length).
+   mfem::real_t size = 0.0;
+   /// The source face that is hit, and its number in the halo; the point counts
+   /// where that is not negative.
+   FaceName name{-1, -1};
+   int source = -1;
+   mfem::IntegrationPoint hit;
+   /// Signed distance along the normal: negative where the surfaces overlap.
+   mfem::real_t gap = 0.0;
+
+   bool Counts() const { return source >= 0; }
+};
+
+/// Which points of two deforming surfaces see each other.
+///
+/// Quadrature points and weights are material points of the destination, made
+/// segment by segment (SegmentSurface()) and kept until they are made anew.
+/// What they hit follows the deformation: along the normals of SurfaceNormals,
+/// from face to face. A point that leaves the rim of the source stays on the
+/// continuation of the nearest face, as long as that is near, so that
+/// iterations see no jumps; the next segmentation leaves it out.
+class SurfacePairing
+{
+public:
+   /// Borrows both surfaces. @a options.normal must be that of the destination.
+   SurfacePairing(const ContactSurface &source,
+                  const ContactSurface &destination, const GapOptions &options);
+
+   /// Makes points anew in the surfaces' current configuration. Collective.
+   void Segment();
+   /// Finds what the points hit now that the surfaces have moved. Collective.
+   void Follow();
+   /// Whether points hit other faces than those that they were made for, or
+   /// none, so that segments don't follow the source's faces any more.
+   /// Collective.
+   bool HasDrifted() const;
+
+   const ContactSurface &Source() const { return source; }
+   const ContactSurface &Destination() const { return destination; }
+   /// Face by face of the destination.
+   const std::vector<PairedPoint> &Points() const { return points; }
+   const SurfaceNormals &Normals() const { return normals; }
+   FaceHalo &SourceFaces() { return halo; }
+   const FaceHalo &SourceFaces() const { return halo; }
+
+private:
+   /// Where a normal goes through a face or its continuation.
+   struct Landing
+   {
+      int face = -1;
+      mfem::IntegrationPoint ip;
+      mfem::real_t gap = 0.0;
+      /// How far that is outside of the face, in reference coordinates.
+      mfem::real_t outside = mfem::infinity();
+   };
+
+   SearchQuery Look(const PairedPoint &point) const;
+   /// Solves x_A(xi) = x_B + gap n on a face, from where @a start is; @a start
+   /// itself if that leads too far away.
+   Landing Land(const SearchQuery &query, int face, const Landing &start) const;
+   /// Goes from face to face of the halo to where the point's normal leads;
+   /// says whether that is on a face, not beyond the rim.
+   bool Walk(PairedPoint &point) const;
+   /// Looks for faces that aren't in the halo.
+   void FindOtherFaces(const std::vector<int> &leaving);
+   void AskForFaces(const SurfaceSearch &search);
+   void FindNeighbors();
+
+   const ContactSurface &source;
+   const ContactSurface &destination;
+   GapOptions options;
+   std::vector<PairedPoint> points;
+   SurfaceNormals normals;
+   FaceHalo halo;
+   /// Of the halo's faces: names, and faces that share a vertex.
+   std::vector<FaceName> names;
+   std::vector<std::vector<int>> neighbors;
+   bool drifted = false;
+};
+
+/// The vector that SurfaceNormals give between the vertices, not of unit
+/// length: @a shape are values of the shape functions of the vertices.
+Point3 InterpolateNormal(const std::array<Point3, 4> &vertices,
+                         const mfem::Vector &shape);
+
+} // namespace synovia
