@@ -71,7 +71,8 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                   pairs.push_back(std::make_unique<ContactPair>(
                      contact.Name(), spaces, problem.Get().Materials(),
                      Attributes(mesh, contact.source),
-                     Attributes(mesh, contact.destination), contact.options));
+                     Attributes(mesh, contact.destination), contact.options,
+                     problem.Get().GetDeformation()));
                   borrowed.push_back(pairs.back().get());
                   borrowed.back()->SearchReference();
                });

@@ -4,6 +4,7 @@
 #include "synovia/contact/contact_factors.hpp"
 #include "synovia/general/state_archive.hpp"
 
+#include <array>
 #include <string>
 
 namespace synovia
@@ -40,9 +41,31 @@ public:
                          mfem::Vector &gap, mfem::Vector &jump,
                          mfem::Vector &pressure) = 0;
 
-   /// At the last search.
+   /// Brings the derivatives among Factors() to the last Evaluate(), for
+   /// pressure @a p (true dofs), nodal forces area x traction and nodal flows
+   /// area x flux; says whether they are others than before, which they never
+   /// are where the constraint is linear.
+   virtual bool Linearize(const mfem::Vector & /*p*/,
+                          const mfem::Vector & /*nodal_force*/,
+                          const mfem::Vector & /*nodal_flow*/)
+   {
+      return false;
+   }
+   /// Whether another search where the surfaces were evaluated last would find
+   /// other partners, so that what was evaluated is less exact than it may be.
+   virtual bool HasDrifted() const { return false; }
+
+   /// At the last search. Areas are those that tractions and fluxes refer to,
+   /// but for what is covered of a face, which is its present area.
    virtual const ContactCoverage &Coverage() const = 0;
-   /// The matrices at the last search and Evaluate(), without weights.
+   /// int phi_j and int phi_j n, by component, over present areas (area).
+   virtual const mfem::Vector &PresentArea() const { return Coverage().area; }
+   virtual const std::array<mfem::Vector, 3> &PresentNormalArea() const
+   {
+      return Coverage().normal_area;
+   }
+   /// The matrices at the last search and Evaluate(), without weights;
+   /// derivatives by the displacement at the last Linearize().
    virtual ContactFactors Factors() const = 0;
 
    /// Lists what later searches and evaluations depend on beside u and p, with

@@ -52,6 +52,7 @@ real_t FluidLoadSupport(const ContactPair &pair)
 {
    const ContactState &state = pair.State();
    const std::array<Vector, 3> &normal_area = pair.Coverage().normal_area;
+   const std::array<Vector, 3> &present = pair.PresentNormalArea();
    Point3 total{{0.0, 0.0, 0.0}};
    Point3 fluid{{0.0, 0.0, 0.0}};
    for (int j = 0; j < state.gap.Size(); j++)
@@ -61,7 +62,7 @@ real_t FluidLoadSupport(const ContactPair &pair)
          total[d] += state.traction[j] * normal_area[d][j];
          if (state.vertices[j].touches)
          {
-            fluid[d] -= state.pressure[j] * normal_area[d][j];
+            fluid[d] -= state.pressure[j] * present[d][j];
          }
       }
    }
@@ -78,7 +79,8 @@ real_t ContactArea(const ContactPair &pair)
    const ContactState &state = pair.State();
    const Vector &resistance = pair.Enforcement().Penalties().Resistance();
    const std::vector<FaceCoverage> &coverage = pair.Coverage().face_coverage;
-   Vector stress = VertexMeans(pair.Destination(), coverage, state.traction);
+   Vector stress =
+      VertexMeans(pair.Destination(), coverage, pair.PresentTraction());
    for (int j = 0; j < stress.Size(); j++)
    {
       if (!state.vertices[j].touches)
@@ -121,10 +123,11 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
    result.penetration = violations.penetration;
    result.pressure_jump = violations.pressure_jump;
    const ContactState &state = pair.State();
+   const Vector traction = pair.PresentTraction();
    real_t exchange = 0.0;
    for (int j = 0; j < state.gap.Size(); j++)
    {
-      result.peak_traction = std::max(result.peak_traction, -state.traction[j]);
+      result.peak_traction = std::max(result.peak_traction, -traction[j]);
       if (state.vertices[j].seals)
       {
          result.peak_pressure =

@@ -70,14 +70,19 @@ void ContactGeometry::SetDisplacement(const Vector &u)
 GapOperators ContactGeometry::Search() const
 {
    GapOperators operators = AssembleGapOperators(source, destination, options);
-   for (int j = 0; j < operators.area.Size(); j++)
+   LeaveOutSlivers(operators);
+   return operators;
+}
+
+void ContactGeometry::LeaveOutSlivers(ContactCoverage &coverage) const
+{
+   for (int j = 0; j < coverage.area.Size(); j++)
    {
-      if (operators.area[j] < least_coverage * destination_areas[j])
+      if (coverage.area[j] < least_coverage * destination_areas[j])
       {
-         operators.area[j] = 0.0;
+         coverage.area[j] = 0.0;
       }
    }
-   return operators;
 }
 
 void ContactGeometry::VerifyReach(const ContactCoverage &coverage) const

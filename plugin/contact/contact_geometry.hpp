@@ -31,11 +31,16 @@ public:
       return destination_positions.now;
    }
 
+   const GapOptions &Options() const { return options; }
+
    /// Moves the surfaces to displacement @a u (true dofs). Collective.
    void SetDisplacement(const mfem::Vector &u);
    /// Lets the surfaces search for each other where they are. Vertices of which
    /// the source covers next to nothing are left out. Collective.
    GapOperators Search() const;
+
+   /// Sets the areas of such vertices to zero.
+   void LeaveOutSlivers(ContactCoverage &coverage) const;
 
    /// Throws Error if no vertex sees the source. Collective.
    void VerifyReach(const ContactCoverage &coverage) const;

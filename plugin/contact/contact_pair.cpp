@@ -1,5 +1,7 @@
 #include "synovia/contact/contact_pair.hpp"
+#include "synovia/contact/finite_constraint.hpp"
 #include "synovia/contact/infinitesimal_constraint.hpp"
+#include "synovia/general/error.hpp"
 
 namespace synovia
 {
@@ -17,24 +19,43 @@ const ContactOptions &Verified(const ContactOptions &options,
    Verify(options, pair);
    return options;
 }
+
+std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
+                                                  const ContactOptions &options,
+                                                  Deformation deformation)
+{
+   if (deformation == Deformation::finite)
+   {
+      return std::make_unique<FiniteConstraint>(geometry,
+                                                options.initial_overlap);
+   }
+   return std::make_unique<InfinitesimalConstraint>(
+      geometry, options.configuration, options.initial_overlap);
+}
 } // namespace
 
 ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
                          const MaterialTable &materials,
                          const Array<int> &source_boundary,
                          const Array<int> &destination_boundary,
-                         const ContactOptions &options)
+                         const ContactOptions &options, Deformation deformation)
    : name(name_),
      scales(FindContactScales(name, spaces.GetMesh(), materials,
                               source_boundary, destination_boundary,
                               Verified(options, name))),
      geometry(name, spaces, source_boundary, destination_boundary, scales,
               options),
-     constraint(std::make_unique<InfinitesimalConstraint>(
-        geometry, options.configuration, options.initial_overlap)),
+     constraint(MakeConstraint(geometry, options, deformation)),
      enforcement(*constraint, geometry.Destination(),
                  geometry.DestinationAreas(), scales, options)
 {
+   if (deformation == Deformation::finite &&
+       options.normal != ContactNormal::destination)
+   {
+      throw Error("contact pair \"" + name +
+                  "\": in finite deformation gaps are along the normal of the "
+                  "destination; leave normal out");
+   }
 }
 
 bool ContactPair::Search(const Vector &u)
@@ -45,6 +66,28 @@ bool ContactPair::Search(const Vector &u)
       enforcement.UpdatePenalties();
    }
    return found_anew;
+}
+
+bool ContactPair::Linearize(const Vector &p)
+{
+   const Vector &area = Coverage().area;
+   Vector nodal_force(area);
+   Vector nodal_flow(area);
+   nodal_force *= State().traction;
+   nodal_flow *= State().flux;
+   return constraint->Linearize(p, nodal_force, nodal_flow);
+}
+
+Vector ContactPair::PresentTraction() const
+{
+   Vector traction(State().traction);
+   const Vector &area = Coverage().area;
+   const Vector &present = constraint->PresentArea();
+   for (int j = 0; j < traction.Size(); j++)
+   {
+      traction[j] *= traction[j] != 0.0 ? area[j] / present[j] : 0.0;
+   }
+   return traction;
 }
 
 void ContactPair::MarkSealed(Vector &sealed) const

@@ -2,6 +2,7 @@
 
 #include "synovia/contact/augmented_lagrangian.hpp"
 #include "synovia/contact/contact_geometry.hpp"
+#include "synovia/materials/deformation.hpp"
 
 #include <memory>
 #include <string>
@@ -21,11 +22,14 @@ class ContactPair
 public:
    /// Collective. Borrows @a spaces and @a materials. Throws Error if the two
    /// sides share a vertex, if a side has no faces, or on options out of range.
+   /// In finite @a deformation surfaces look for each other in the deformed
+   /// configuration, and gaps are along the destination's normal there.
    ContactPair(const std::string &name, BiphasicSpaces &spaces,
                const MaterialTable &materials,
                const mfem::Array<int> &source_boundary,
                const mfem::Array<int> &destination_boundary,
-               const ContactOptions &options);
+               const ContactOptions &options,
+               Deformation deformation = Deformation::infinitesimal);
 
    const std::string &Name() const { return name; }
    const ContactScales &Scales() const { return scales; }
@@ -42,10 +46,23 @@ public:
    void SearchReference() { constraint->SearchReference(); }
    void SearchAt(const mfem::Vector &u) { constraint->SearchAt(u); }
    bool Search(const mfem::Vector &u);
+   bool HasDrifted() const { return constraint->HasDrifted(); }
+   /// Brings the derivatives among Factors() to the last tractions and fluxes,
+   /// and pressures @a p; says whether they are others than before. Collective.
+   bool Linearize(const mfem::Vector &p);
 
    /// Sets 1 in @a sealed (multiplier true dofs) for the vertices of either
    /// surface that this pair seals. Collective.
    void MarkSealed(mfem::Vector &sealed) const;
+
+   /// Contact traction per present area of the destination (stress, negative in
+   /// compression).
+   mfem::Vector PresentTraction() const;
+   /// As ContactConstraint has it (area).
+   const std::array<mfem::Vector, 3> &PresentNormalArea() const
+   {
+      return constraint->PresentNormalArea();
+   }
 
    /// Adds the nodal contact forces to @a momentum (force), and the fluid that
    /// contact moves out of the nodes to @a mass (volume / time). Collective.

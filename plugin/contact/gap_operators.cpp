@@ -420,6 +420,22 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
    return assembler.Finish();
 }
 
+void MultJump(const HypreParMatrix &map, const ContactSurface &destination,
+              const Vector &p, Vector &jump, Vector &pressure)
+{
+   map.Mult(p, jump);
+   p.HostRead();
+   Vector destination_pressure(p.Size());
+   destination_pressure = 0.0;
+   for (const int dof : destination.PressureTrueDofs())
+   {
+      destination_pressure[dof] = -p[dof];
+   }
+   map.Mult(destination_pressure, pressure);
+   jump.HostRead();
+   pressure.HostRead();
+}
+
 Vector NodalAreas(const ContactSurface &surface)
 {
    ParFiniteElementSpace &space = surface.Spaces().Multiplier();

@@ -55,6 +55,13 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
                                   const ContactSurface &destination,
                                   const GapOptions &options);
 
+/// Collective. Applies a jump operator to the pressures @a p (true dofs) of
+/// both surfaces, and, with the opposite sign, to those of the destination
+/// alone.
+void MultJump(const mfem::HypreParMatrix &map,
+              const ContactSurface &destination, const mfem::Vector &p,
+              mfem::Vector &jump, mfem::Vector &pressure);
+
 /// Collective. int phi_j over the whole surface, for each of its vertices.
 mfem::Vector NodalAreas(const ContactSurface &surface);
 

@@ -64,18 +64,8 @@ void InfinitesimalConstraint::Evaluate(const Vector &u, const Vector &p,
                                        Vector &pressure)
 {
    operators.gap->Mult(u, gap);
-   operators.jump->Mult(p, jump);
-   p.HostRead();
-   Vector destination_pressure(p.Size());
-   destination_pressure = 0.0;
-   for (const int dof : geometry.Destination().PressureTrueDofs())
-   {
-      destination_pressure[dof] = -p[dof];
-   }
-   operators.jump->Mult(destination_pressure, pressure);
+   MultJump(*operators.jump, geometry.Destination(), p, jump, pressure);
    gap.HostReadWrite();
-   jump.HostRead();
-   pressure.HostRead();
    for (int j = 0; j < gap.Size(); j++)
    {
       gap[j] += operators.gap_offset[j] +

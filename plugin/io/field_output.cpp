@@ -130,7 +130,7 @@ public:
 
    void Save(int cycle, real_t time)
    {
-      Transfer(pair.State().traction, pressure);
+      Transfer(pair.PresentTraction(), pressure);
       pressure.Neg();
       Transfer(pair.State().gap, gap);
       Transfer(pair.State().Touching(), status);
