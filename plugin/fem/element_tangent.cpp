@@ -1,5 +1,5 @@
 #include "synovia/fem/element_tangent.hpp"
-#include "synovia/materials/cofactor_derivative.hpp"
+#include "synovia/materials/tangent3.hpp"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "synovia/materials/lame_moduli.hpp"
 #include "synovia/materials/law_arguments.hpp"
 #include "synovia/materials/law_description.hpp"
+#include "synovia/materials/tangent3.hpp"
 
 namespace synovia
 {
@@ -41,6 +42,42 @@ public:
    template <typename T>
    bool Stress(const MaterialPoint &, const Tensor3<T> &F, Tensor3<T> &P) const
    {
+      const Parts<T> parts = Separate(F);
+      P = parts.growth * parts.direction;
+      return true;
+   }
+
+   /// Several times as fast as dual numbers.
+   bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
+                  Tensor3<> &stress, Tangent3 *tangent) const override
+   {
+      if (tangent)
+      {
+         *tangent = Tangent(F);
+      }
+      return DifferentiatedSolid::GetStress(point, F, stress, nullptr);
+   }
+
+   mfem::real_t AggregateModulus() const override { return moduli.Aggregate(); }
+   mfem::real_t ShearModulus() const override { return moduli.mu; }
+
+private:
+   /// P = growth x direction; the derivative of growth is
+   /// 2 beta / H_A x growth x direction.
+   template <typename T>
+   struct Parts
+   {
+      Tensor3<T> C;
+      Tensor3<T> cofactor;
+      T J;
+      T along_f;
+      T growth;
+      Tensor3<T> direction;
+   };
+
+   template <typename T>
+   Parts<T> Separate(const Tensor3<T> &F) const
+   {
       using std::exp;
       using std::log;
       const mfem::real_t mu = moduli.mu;
@@ -55,17 +92,49 @@ public:
                                              lambda * (I2 - 3.0)) -
                          2.0 * beta * log(J);
       const T growth = 0.5 * exp(exponent);
-      const T along_f = growth * (2.0 * mu - lambda + lambda * I1);
-      const T along_fc = -lambda * growth;
-      const T along_cofactor = -modulus * growth / J;
-      P = along_f * F + along_fc * Product(F, C) + along_cofactor * cofactor;
-      return true;
+      const T along_f = 2.0 * mu - lambda + lambda * I1;
+      const T along_cofactor = -modulus / J;
+      return {C,
+              cofactor,
+              J,
+              along_f,
+              growth,
+              along_f * F - lambda * Product(F, C) + along_cofactor * cofactor};
    }
 
-   mfem::real_t AggregateModulus() const override { return moduli.Aggregate(); }
-   mfem::real_t ShearModulus() const override { return moduli.mu; }
+   Tangent3 Tangent(const Tensor3<> &F) const
+   {
+      const mfem::real_t lambda = moduli.lambda;
+      const mfem::real_t modulus = moduli.Aggregate();
+      const Parts<mfem::real_t> parts = Separate(F);
+      Tangent3 tangent = (-modulus / parts.J) * CofactorDerivative(F);
+      AddIdentity(parts.along_f, tangent);
+      AddDyad(2.0 * beta / modulus, parts.direction, parts.direction, tangent);
+      AddDyad(2.0 * lambda, F, F, tangent);
+      AddDyad(modulus / (parts.J * parts.J), parts.cofactor, parts.cofactor,
+              tangent);
+      // d(F C)/dF
+      for (int i = 0; i < 3; i++)
+      {
+         for (int k = 0; k < 3; k++)
+         {
+            const mfem::real_t b =
+               F[i][0] * F[k][0] + F[i][1] * F[k][1] + F[i][2] * F[k][2];
+            for (int j = 0; j < 3; j++)
+            {
+               tangent[3 * i + j][3 * k + j] -= lambda * b;
+               for (int l = 0; l < 3; l++)
+               {
+                  tangent[3 * i + j][3 * k + l] -=
+                     lambda *
+                     (F[i][l] * F[k][j] + (i == k ? parts.C[l][j] : 0.0));
+               }
+            }
+         }
+      }
+      return parts.growth * tangent;
+   }
 
-private:
    LameModuli moduli;
    mfem::real_t beta;
 };

@@ -4,6 +4,7 @@
 #include "synovia/materials/lame_moduli.hpp"
 #include "synovia/materials/law_arguments.hpp"
 #include "synovia/materials/law_description.hpp"
+#include "synovia/materials/tangent3.hpp"
 
 namespace synovia
 {
@@ -40,6 +41,23 @@ public:
       const T along_inverse = (moduli.lambda * log(J) - moduli.mu) / J;
       P = moduli.mu * F + along_inverse * cofactor;
       return true;
+   }
+
+   /// Several times as fast as dual numbers.
+   bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
+                  Tensor3<> &stress, Tangent3 *tangent) const override
+   {
+      if (tangent)
+      {
+         const Tensor3<> cofactor = Cofactor(F);
+         const mfem::real_t J = Determinant(F, cofactor);
+         const mfem::real_t pressing = moduli.mu - moduli.lambda * std::log(J);
+         *tangent = (-pressing / J) * CofactorDerivative(F);
+         AddIdentity(moduli.mu, *tangent);
+         AddDyad((moduli.lambda + pressing) / (J * J), cofactor, cofactor,
+                 *tangent);
+      }
+      return DifferentiatedSolid::GetStress(point, F, stress, nullptr);
    }
 
    mfem::real_t AggregateModulus() const override { return moduli.Aggregate(); }

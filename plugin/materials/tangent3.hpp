@@ -30,4 +30,27 @@ inline Tangent3 CofactorDerivative(const Tensor3<> &F)
    return derivative;
 }
 
+/// Adds @a factor x A (x) B: the derivative of A f where that of f is B.
+inline void AddDyad(mfem::real_t factor, const Tensor3<> &A, const Tensor3<> &B,
+                    Tangent3 &tangent)
+{
+   for (int k = 0; k < 9; k++)
+   {
+      const mfem::real_t row = factor * A[k / 3][k % 3];
+      for (int l = 0; l < 9; l++)
+      {
+         tangent[k][l] += row * B[l / 3][l % 3];
+      }
+   }
+}
+
+/// Adds @a factor x dF/dF.
+inline void AddIdentity(mfem::real_t factor, Tangent3 &tangent)
+{
+   for (int k = 0; k < 9; k++)
+   {
+      tangent[k][k] += factor;
+   }
+}
+
 } // namespace synovia
