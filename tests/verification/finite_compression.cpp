@@ -191,9 +191,6 @@ TEST_CASE("What flows out of a column is what its volume loses")
    BiphasicProblem problem(mesh, Finite(GENERATE(1, 2)));
    laws.SetTo(problem, true);
    Confine(problem);
-   NonlinearOptions nonlinear;
-   nonlinear.linear.relative_tolerance = 1e-12;
-   problem.SetNonlinearOptions(nonlinear);
    TimeStepper stepper(problem, Times(100.0, TimeScheme::backward_euler));
    real_t drained = 0.0;
    while (!stepper.Done())
