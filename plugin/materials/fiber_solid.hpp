@@ -13,6 +13,9 @@ namespace synovia
 ///
 ///     P = 2 Psi'(I_n) (F n_0) (x) n_0 where I_n > I_0.
 ///
+/// Where I_n is I_0 but for round-off they count as taut, so that the stiffness
+/// of undeformed fibers is that in tension.
+///
 /// To be mixed with a ground matrix, see SolidMixture. @a Own has the threshold
 /// I_0 as real_t Threshold() const and Psi' as
 ///
@@ -31,9 +34,9 @@ public:
       const Own &law = static_cast<const Own &>(*this);
       const Vector3<> n = FiberDirection(point, frame);
       const Vector3<T> stretched = Product(F, n);
-      const T square = InnerProduct(stretched, stretched);
+      T square = InnerProduct(stretched, stretched);
       P = Tensor3<T>{};
-      if (square > law.Threshold())
+      if (IsTaut(square))
       {
          const T tension = 2.0 * law.EnergyDerivative(square);
          AddOuterProduct(tension, stretched, n, P);
@@ -50,6 +53,22 @@ public:
    mfem::real_t ShearModulus() const override { return 0.0; }
 
 protected:
+   /// Moves I_n = @a square to the taut side where only round-off has it on the
+   /// other: powers of a negative or no excess have no derivative.
+   template <typename T>
+   bool IsTaut(T &square) const
+   {
+      constexpr mfem::real_t round_off = 1e-12;
+      const mfem::real_t threshold =
+         static_cast<const Own &>(*this).Threshold();
+      const mfem::real_t taut = threshold * (1.0 + round_off);
+      if (square < taut && square > threshold * (1.0 - round_off))
+      {
+         square = square + (taut - ValueOf(square));
+      }
+      return square > threshold;
+   }
+
    const MaterialFrame &frame;
 };
 

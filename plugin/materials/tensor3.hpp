@@ -126,6 +126,16 @@ inline Tensor3<> IdentityTensor()
    return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 }
 
+/// A number without its derivatives.
+inline mfem::real_t ValueOf(mfem::real_t number)
+{
+   return number;
+}
+inline mfem::real_t ValueOf(const Dual9 &number)
+{
+   return number.value;
+}
+
 /// The tensor as independent variable: component k has the derivative 1 by
 /// itself.
 inline Tensor3<Dual9> Independent(const Tensor3<> &F)

@@ -33,7 +33,8 @@ public:
       }
       const Vector3<> n = FiberDirection(point, frame);
       const Vector3<T> stretched = Product(F, n);
-      if (InnerProduct(stretched, stretched) > Threshold())
+      T square = InnerProduct(stretched, stretched);
+      if (IsTaut(square))
       {
          // C n - n
          Vector3<T> strain = Product(TransposedProduct(F, F), n);
