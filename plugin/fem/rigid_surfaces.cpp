@@ -127,11 +127,20 @@ RigidSurfaces::RigidSurfaces(BiphasicSpaces &spaces,
 VolumeMatrices RigidSurfaces::Reduce(const VolumeMatrices &matrices) const
 {
    VolumeMatrices reduced(matrices);
-   const std::unique_ptr<HypreParMatrix> stiffness(
-      RAP(matrices.stiffness.get(), distribution.get()));
+   const std::unique_ptr<HypreParMatrix> stiffness =
+      ReduceBoth(*matrices.stiffness);
    reduced.stiffness.reset(Add(1.0, *stiffness, 1.0, *idle_identity));
    reduced.divergence = Reduce(*matrices.divergence);
-   reduced.divergence_transpose.reset(reduced.divergence->Transpose());
+   if (matrices.symmetric)
+   {
+      reduced.divergence_transpose.reset(reduced.divergence->Transpose());
+   }
+   else
+   {
+      const std::unique_ptr<HypreParMatrix> other(
+         matrices.divergence_transpose->Transpose());
+      reduced.divergence_transpose.reset(Reduce(*other)->Transpose());
+   }
    return reduced;
 }
 
@@ -140,6 +149,12 @@ RigidSurfaces::Reduce(const HypreParMatrix &matrix) const
 {
    return std::unique_ptr<HypreParMatrix>(
       ParMult(&matrix, distribution.get(), true));
+}
+
+std::unique_ptr<HypreParMatrix>
+RigidSurfaces::ReduceBoth(const HypreParMatrix &matrix) const
+{
+   return std::unique_ptr<HypreParMatrix>(RAP(&matrix, distribution.get()));
 }
 
 void RigidSurfaces::Distribute(Vector &w) const

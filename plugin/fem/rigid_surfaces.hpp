@@ -51,6 +51,10 @@ public:
    /// A matrix for displacements, rows x dofs, becomes one for reduced ones.
    std::unique_ptr<mfem::HypreParMatrix>
    Reduce(const mfem::HypreParMatrix &matrix) const;
+   /// A matrix from displacements to forces on them becomes one for reduced
+   /// ones, with zeros where these stand for nothing.
+   std::unique_ptr<mfem::HypreParMatrix>
+   ReduceBoth(const mfem::HypreParMatrix &matrix) const;
 
    /// w becomes T w; f becomes T^T f.
    void Distribute(mfem::Vector &w) const;

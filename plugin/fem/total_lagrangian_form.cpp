@@ -46,6 +46,7 @@ TotalLagrangianForm::TotalLagrangianForm(
      darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
      u(spaces.Displacement().GetVSize()), p(spaces.Pressure().GetVSize())
 {
+   matrices.symmetric = false;
    if (matrices.stabilization)
    {
       smooth_stabilization =

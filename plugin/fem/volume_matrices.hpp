@@ -18,7 +18,8 @@ struct VolumeMatrices
 
    /// (C eps(u), eps(w)), displacement x displacement.
    std::shared_ptr<mfem::HypreParMatrix> stiffness;
-   /// (div u, q), pressure x displacement, and its transpose.
+   /// (div u, q), pressure x displacement, and its transpose; in finite
+   /// deformation the former has the change of the flow as well.
    std::shared_ptr<mfem::HypreParMatrix> divergence;
    std::shared_ptr<mfem::HypreParMatrix> divergence_transpose;
    /// (kappa grad p, grad q), pressure x pressure.
@@ -28,6 +29,9 @@ struct VolumeMatrices
    /// (p / H_A, q): what the solid adds to the Schur complement of the
    /// pressure.
    std::shared_ptr<mfem::HypreParMatrix> compliance;
+   /// Whether stiffness is symmetric, and divergence_transpose no more than its
+   /// name says.
+   bool symmetric = true;
    ModuliRatios moduli;
    /// Of the displacement.
    int order = 1;

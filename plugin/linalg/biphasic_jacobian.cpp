@@ -1,42 +1,41 @@
 #include "synovia/linalg/biphasic_jacobian.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
 using namespace mfem;
 
-std::unique_ptr<HypreParMatrix> WeightedSquare(const HypreParMatrix &factor,
-                                               const Vector &weights)
+std::unique_ptr<HypreParMatrix> WeightedProduct(const HypreParMatrix &left,
+                                                const Vector &weights,
+                                                const HypreParMatrix &right)
 {
-   HypreParMatrix scaled(factor);
+   HypreParMatrix scaled(right);
    scaled.ScaleRows(weights);
-   const std::unique_ptr<HypreParMatrix> transpose(factor.Transpose());
+   const std::unique_ptr<HypreParMatrix> transpose(left.Transpose());
    return std::unique_ptr<HypreParMatrix>(
       ParMult(transpose.get(), &scaled, true));
 }
 
-void AddWeightedSquare(const HypreParMatrix &factor, const Vector &weights,
-                       std::unique_ptr<HypreParMatrix> &sum)
+void AddTo(std::unique_ptr<HypreParMatrix> &sum,
+           std::unique_ptr<HypreParMatrix> term)
 {
-   auto square = WeightedSquare(factor, weights);
-   if (sum)
-   {
-      square.reset(Add(1.0, *sum, 1.0, *square));
-   }
-   sum = std::move(square);
+   sum = sum ? std::unique_ptr<HypreParMatrix>(Add(1.0, *sum, 1.0, *term))
+             : std::move(term);
 }
 
 BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
                                    const Array<int> &offsets_,
                                    const Array<int> &u_dofs_,
-                                   const ContactPairs &pairs_,
+                                   const ContactTerms &contact_,
                                    const RigidSurfaces *rigid_)
    : Operator(offsets_.Last()), original(matrices_),
      reduced(rigid_
                 ? std::make_unique<VolumeMatrices>(rigid_->Reduce(matrices_))
                 : nullptr),
      matrices(reduced ? *reduced : matrices_), offsets(offsets_),
-     u_dofs(u_dofs_), pairs(pairs_), rigid(rigid_)
+     u_dofs(u_dofs_), rigid(rigid_), contact(contact_, rigid_)
 {
    if (rigid)
    {
@@ -70,45 +69,70 @@ void BiphasicJacobian::BodiesChanged()
    SetTimeStep(dt);
 }
 
-void BiphasicJacobian::ContactMoved()
+void BiphasicJacobian::ContactChanged()
 {
-   reduced_gaps.clear();
-   if (rigid)
+   contact.Update();
+}
+
+bool BiphasicJacobian::IsSymmetric() const
+{
+   return matrices.symmetric &&
+          std::all_of(Contact().begin(), Contact().end(),
+                      [](const ContactFactors &pair)
+                      { return pair.IsSymmetric() && pair.IsUncoupled(); });
+}
+
+void BiphasicJacobian::AddContactForces(const Vector &x, Vector &y) const
+{
+   for (const ContactFactors &pair : Contact())
    {
-      for (const ContactPair *pair : pairs)
+      rows.SetSize(pair.gap_change->Height());
+      pair.gap_change->Mult(x, rows);
+      rows *= *pair.gap_weights;
+      product.SetSize(y.Size());
+      pair.gap->MultTranspose(rows, product);
+      y += product;
+      if (pair.force_change)
       {
-         reduced_gaps.push_back(rigid->Reduce(*pair->Factors().gap));
+         pair.force_change->Mult(1.0, x, 1.0, y);
       }
    }
 }
 
-void BiphasicJacobian::AddContact(const HypreParMatrix &factor,
-                                  const Vector &weights, real_t scale,
-                                  const Vector &x, Vector &y) const
+void BiphasicJacobian::AddContactMass(real_t scale, const Vector *u,
+                                      const Vector *p, Vector &y) const
 {
-   rows.SetSize(factor.Height());
-   factor.Mult(x, rows);
-   rows *= weights;
-   product.SetSize(factor.Width());
-   factor.MultTranspose(rows, product);
-   y.Add(scale, product);
-}
-
-void BiphasicJacobian::MultDisplacement(const Vector &x, Vector &y) const
-{
-   u_free = x;
-   u_free.SetSubVector(u_dofs, 0.0);
-   matrices.stiffness->Mult(u_free, y);
-   for (size_t i = 0; i < pairs.size(); i++)
+   for (const ContactFactors &pair : Contact())
    {
-      AddContact(Gap(i), *pairs[i]->Factors().gap_weights, 1.0, u_free, y);
+      const bool jump_changes = u && pair.jump_change;
+      if (p || jump_changes)
+      {
+         rows.SetSize(pair.jump->Height());
+         rows = 0.0;
+         if (p)
+         {
+            pair.jump->Mult(*p, rows);
+         }
+         if (jump_changes)
+         {
+            pair.jump_change->Mult(1.0, *u, 1.0, rows);
+         }
+         rows *= *pair.jump_weights;
+         product.SetSize(y.Size());
+         pair.jump->MultTranspose(rows, product);
+         y.Add(scale, product);
+      }
+      if (u && pair.outflow_change)
+      {
+         pair.outflow_change->Mult(scale, *u, 1.0, y);
+      }
    }
-   CopyEntries(u_dofs, x, y);
 }
 
-void BiphasicJacobian::AddDivergence(const Vector &x, Vector &y) const
+void BiphasicJacobian::AddMassOfDisplacement(const Vector &x, Vector &y) const
 {
    matrices.divergence->Mult(1.0, x, 1.0, y);
+   AddContactMass(dt, &x, nullptr, y);
 }
 
 void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
@@ -124,14 +148,12 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 
    p_free = x_p;
    p_free.SetSubVector(p_dofs, 0.0);
+   u_free = x_u;
+   u_free.SetSubVector(u_dofs, 0.0);
    flow->Mult(-1.0, p_free, 0.0, y_p);
-   for (const ContactPair *pair : pairs)
-   {
-      AddContact(*pair->Factors().jump, *pair->Factors().jump_weights, -dt,
-                 p_free, y_p);
-   }
-   // MultDisplacement leaves x_u with zeros at prescribed dofs in u_free.
-   MultDisplacement(x_u, y_u);
+   AddContactMass(-dt, &u_free, &p_free, y_p);
+   matrices.stiffness->Mult(u_free, y_u);
+   AddContactForces(u_free, y_u);
    matrices.divergence->Mult(-1.0, u_free, 1.0, y_p);
    matrices.divergence_transpose->Mult(-1.0, p_free, 1.0, y_u);
    CopyEntries(u_dofs, x_u, y_u);
@@ -144,15 +166,65 @@ std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
 {
    // What is small is added up first, and what is large copied once.
-   std::unique_ptr<HypreParMatrix> contact;
-   for (size_t i = 0; i < pairs.size(); i++)
+   std::unique_ptr<HypreParMatrix> sum;
+   for (size_t i = 0; i < Contact().size(); i++)
    {
-      AddWeightedSquare(Gap(i), weights[i], contact);
+      const HypreParMatrix &gap = *Contact()[i].gap;
+      AddTo(sum, WeightedProduct(gap, weights[i], gap));
    }
    std::unique_ptr<HypreParMatrix> block(
-      contact ? Add(1.0, *matrices.stiffness, 1.0, *contact)
-              : new HypreParMatrix(*matrices.stiffness));
+      sum ? Add(1.0, *matrices.stiffness, 1.0, *sum)
+          : new HypreParMatrix(*matrices.stiffness));
    block->EliminateBC(u_dofs, DIAG_ONE);
+   return block;
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
+{
+   std::unique_ptr<HypreParMatrix> sum;
+   for (const ContactFactors &pair : Contact())
+   {
+      AddTo(sum,
+            WeightedProduct(*pair.gap, *pair.gap_weights, *pair.gap_change));
+      if (pair.force_change)
+      {
+         AddTo(sum, std::make_unique<HypreParMatrix>(*pair.force_change));
+      }
+   }
+   std::unique_ptr<HypreParMatrix> block(
+      sum ? Add(1.0, *matrices.stiffness, 1.0, *sum)
+          : new HypreParMatrix(*matrices.stiffness));
+   if (IsSymmetric())
+   {
+      block->EliminateBC(u_dofs, DIAG_ONE);
+   }
+   else
+   {
+      // The former looks for columns only where rows have entries.
+      delete block->EliminateRowsCols(u_dofs);
+   }
+   return block;
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::CouplingBlock() const
+{
+   std::unique_ptr<HypreParMatrix> sum;
+   for (const ContactFactors &pair : Contact())
+   {
+      if (pair.jump_change)
+      {
+         AddTo(sum, WeightedProduct(*pair.jump, *pair.jump_weights,
+                                    *pair.jump_change));
+      }
+      if (pair.outflow_change)
+      {
+         AddTo(sum, std::make_unique<HypreParMatrix>(*pair.outflow_change));
+      }
+   }
+   std::unique_ptr<HypreParMatrix> block(
+      sum ? Add(1.0, *matrices.divergence, dt, *sum)
+          : new HypreParMatrix(*matrices.divergence));
+   delete block->EliminateCols(u_dofs);
    return block;
 }
 
@@ -160,11 +232,11 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
 {
    std::unique_ptr<HypreParMatrix> block =
       std::make_unique<HypreParMatrix>(*flow);
-   for (const ContactPair *pair : pairs)
+   for (const ContactFactors &pair : Contact())
    {
-      const auto contact =
-         WeightedSquare(*pair->Factors().jump, *pair->Factors().jump_weights);
-      block.reset(Add(1.0, *block, dt, *contact));
+      const auto jumps =
+         WeightedProduct(*pair.jump, *pair.jump_weights, *pair.jump);
+      block.reset(Add(1.0, *block, dt, *jumps));
    }
    return block;
 }
@@ -197,17 +269,22 @@ Vector BiphasicJacobian::Holding() const
 std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::AssembleHeld(const Vector &holding) const
 {
-   std::vector<Vector> gap_weights;
-   for (const ContactPair *pair : pairs)
+   const std::unique_ptr<HypreParMatrix> momentum = MomentumBlock();
+   const std::unique_ptr<HypreParMatrix> coupling = CouplingBlock();
+   std::unique_ptr<HypreParMatrix> transpose;
+   if (IsSymmetric())
    {
-      gap_weights.push_back(*pair->Factors().gap_weights);
+      transpose.reset(coupling->Transpose());
    }
-   const std::unique_ptr<HypreParMatrix> stiffness =
-      DisplacementBlock(gap_weights);
-
-   HypreParMatrix divergence(*matrices.divergence);
-   delete divergence.EliminateCols(u_dofs);
-   const std::unique_ptr<HypreParMatrix> transpose(divergence.Transpose());
+   else
+   {
+      transpose =
+         std::make_unique<HypreParMatrix>(*matrices.divergence_transpose);
+      Vector counts(transpose->Height());
+      counts = 1.0;
+      counts.SetSubVector(u_dofs, 0.0);
+      transpose->ScaleRows(counts);
+   }
    const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
    SparseMatrix diagonal;
    pressure->GetDiag(diagonal);
@@ -216,9 +293,9 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
       diagonal.Add(dof, dof, holding[dof]);
    }
    Array2D<const HypreParMatrix *> blocks(2, 2);
-   blocks(0, 0) = stiffness.get();
+   blocks(0, 0) = momentum.get();
    blocks(0, 1) = transpose.get();
-   blocks(1, 0) = &divergence;
+   blocks(1, 0) = coupling.get();
    blocks(1, 1) = pressure.get();
    Array2D<real_t> signs(2, 2);
    signs = -1.0;

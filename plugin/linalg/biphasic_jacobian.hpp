@@ -1,40 +1,38 @@
 #pragma once
 
-#include "synovia/contact/contact_pair.hpp"
-#include "synovia/fem/rigid_surfaces.hpp"
 #include "synovia/general/vector_entries.hpp"
-
-#include <vector>
+#include "synovia/linalg/reduced_contact.hpp"
 
 namespace synovia
 {
 
-/// Contact pairs of a problem; borrowed.
-using ContactPairs = std::vector<const ContactPair *>;
-
 /// The linearized equations of one stage, for (displacement, pressure), the
 /// former reduced by RigidSurfaces where there are any:
 ///
-///     [ K + G^T W G       -B^T                      ]
-///     [    -B       -(dt L + S + dt J^T W_p J)      ]
+///     [ K + G^T W R + F                  -B^T            ]
+///     [ -(B + dt (J^T W_p J_u + O))  -(dt L + S + dt J^T W_p J) ]
 ///
-/// with unit rows and columns for prescribed dofs. Symmetric and
-/// quasi-definite, K, B, L, S constant for linear bodies; contact acts through
-/// its factors, so that a change of the active set costs nothing here. In
-/// finite deformation the matrices follow the state, and -B in the second row
-/// has the change of the flow with the deformation beside it.
+/// with unit rows and columns for prescribed dofs, and with the contact's
+/// ContactFactors G, R, F = force_change, J, J_u = jump_change and O =
+/// outflow_change, of which R is G, and F, J_u and O are zero, in infinitesimal
+/// contact. It is symmetric and quasi-definite then, K, B, L, S constant for
+/// linear bodies; contact acts through its factors, so that a change of the
+/// active set costs nothing here. In finite deformation the matrices follow the
+/// state, and B in the second row has the change of the flow beside it.
 class BiphasicJacobian : public mfem::Operator
 {
 public:
    /// Borrows all arguments but @a u_dofs, the prescribed true dofs. The idle
-   /// dofs of @a rigid, null where nothing is driven, count as prescribed.
+   /// dofs of @a rigid, null where nothing is driven, count as prescribed. The
+   /// factors of @a contact may be set later, with a call of ContactChanged().
    BiphasicJacobian(const VolumeMatrices &matrices,
                     const mfem::Array<int> &offsets,
-                    const mfem::Array<int> &u_dofs, const ContactPairs &pairs,
+                    const mfem::Array<int> &u_dofs, const ContactTerms &contact,
                     const RigidSurfaces *rigid = nullptr);
 
-   /// Surfaces were searched anew: gap and jump have other entries. Collective.
-   void ContactMoved();
+   /// The contact's factors are other objects, or have other entries; their
+   /// weights may change without it. Collective.
+   void ContactChanged();
 
    /// The bodies' matrices are others. Collective.
    void BodiesChanged();
@@ -47,10 +45,9 @@ public:
 
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
-   /// y = (K + G^T W G) x with unit rows for prescribed dofs.
-   void MultDisplacement(const mfem::Vector &x, mfem::Vector &y) const;
-   /// y += B x for x with zeros at prescribed dofs.
-   void AddDivergence(const mfem::Vector &x, mfem::Vector &y) const;
+   /// y += what a displacement x, with zeros at prescribed dofs, does to the
+   /// mass: (B + dt (J^T W_p J_u + O)) x.
+   void AddMassOfDisplacement(const mfem::Vector &x, mfem::Vector &y) const;
 
    /// dt L + S + c M / H_A with unit rows and columns for some @a dofs: an
    /// approximation of the Schur complement, less its sign, but for the
@@ -69,35 +66,39 @@ public:
    const mfem::Array<int> &Offsets() const { return offsets; }
    const mfem::Array<int> &DisplacementDofs() const { return OnHost(u_dofs); }
    const mfem::Array<int> &PressureDofs() const { return OnHost(p_dofs); }
-   const ContactPairs &Pairs() const { return pairs; }
-   /// Gap operator G of a pair, for reduced displacements.
-   const mfem::HypreParMatrix &Gap(std::size_t pair) const
-   {
-      return reduced_gaps.empty() ? *pairs[pair]->Factors().gap
-                                  : *reduced_gaps[pair];
-   }
+   /// Of all pairs, for reduced displacements.
+   const ContactTerms &Contact() const { return contact.Terms(); }
    const VolumeMatrices &Volume() const { return matrices; }
+   bool IsSymmetric() const;
 
-   /// K + sum G^T W G, with the pairs' @a weights W of their gaps, and unit
-   /// rows and columns for the prescribed dofs. Collective.
+   /// K + sum G^T W G, with other @a weights W of the gaps, and unit rows and
+   /// columns for the prescribed dofs: symmetric if K is. Collective.
    std::unique_ptr<mfem::HypreParMatrix>
    DisplacementBlock(const std::vector<mfem::Vector> &weights) const;
 
 private:
+   using Matrix = mfem::HypreParMatrix;
+
+   /// K + sum (G^T W R + F), with unit rows and columns.
+   std::unique_ptr<Matrix> MomentumBlock() const;
+   /// B + dt (J^T W_p J_u + O), with zero columns for prescribed dofs.
+   std::unique_ptr<Matrix> CouplingBlock() const;
    /// dt L + S + dt J^T W_p J
-   std::unique_ptr<mfem::HypreParMatrix> PressureBlock() const;
-   void AddContact(const mfem::HypreParMatrix &factor,
-                   const mfem::Vector &weights, mfem::real_t scale,
-                   const mfem::Vector &x, mfem::Vector &y) const;
+   std::unique_ptr<Matrix> PressureBlock() const;
+   /// y += contact's (G^T W R + F) x
+   void AddContactForces(const mfem::Vector &x, mfem::Vector &y) const;
+   /// y += scale x contact's mass of a displacement and a pressure, of which
+   /// either may be null.
+   void AddContactMass(mfem::real_t scale, const mfem::Vector *u,
+                       const mfem::Vector *p, mfem::Vector &y) const;
 
    const VolumeMatrices &original;
    std::unique_ptr<VolumeMatrices> reduced;
    const VolumeMatrices &matrices;
    const mfem::Array<int> &offsets;
    mfem::Array<int> u_dofs;
-   const ContactPairs &pairs;
    const RigidSurfaces *rigid;
-   std::vector<std::unique_ptr<mfem::HypreParMatrix>> reduced_gaps;
+   ReducedContact contact;
    mfem::Array<int> p_dofs;
    mfem::real_t dt = 0.0;
    /// dt L + S
@@ -108,13 +109,13 @@ private:
    mutable mfem::Vector product;
 };
 
-/// factor^T diag(weights) factor
+/// left^T diag(weights) right
 std::unique_ptr<mfem::HypreParMatrix>
-WeightedSquare(const mfem::HypreParMatrix &factor, const mfem::Vector &weights);
+WeightedProduct(const mfem::HypreParMatrix &left, const mfem::Vector &weights,
+                const mfem::HypreParMatrix &right);
 
-/// Adds factor^T diag(weights) factor to @a sum, null at first. Collective.
-void AddWeightedSquare(const mfem::HypreParMatrix &factor,
-                       const mfem::Vector &weights,
-                       std::unique_ptr<mfem::HypreParMatrix> &sum);
+/// Adds a matrix to @a sum, null at first. Collective.
+void AddTo(std::unique_ptr<mfem::HypreParMatrix> &sum,
+           std::unique_ptr<mfem::HypreParMatrix> term);
 
 } // namespace synovia

@@ -86,7 +86,7 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
    const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
                              spaces.Pressure().GlobalTrueVSize();
    options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli);
-   if (options.method == LinearMethod::direct || !jacobian.Pairs().empty())
+   if (options.method == LinearMethod::direct || !jacobian.Contact().empty())
    {
       VerifyDirectLibrary(options.direct.library, comm);
    }
@@ -183,10 +183,13 @@ BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
       // A guess of zero need not be multiplied.
       solver.iterative_mode = result.iterations > 0;
       solver.Mult(right_side, x);
-      result.converged = solver.GetConverged();
-      result.iterations += solver.GetNumIterations();
-      again =
-         preconditioner->Report(solver.GetNumIterations(), result.converged);
+      SolveAttempt attempt;
+      attempt.iterations = solver.GetNumIterations();
+      attempt.converged = solver.GetConverged();
+      attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
+      result.converged = attempt.converged;
+      result.iterations += attempt.iterations;
+      again = preconditioner->Report(attempt);
    }
    ScaleFrom(pressure_begin, pressure_scale, x);
    // Contact and loads are evaluated on the host.

@@ -41,6 +41,15 @@ struct LinearOptions
 LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
                           const ModuliRatios &moduli);
 
+/// One try to solve a system.
+struct SolveAttempt
+{
+   int iterations = 0;
+   bool converged = false;
+   /// Norm of what is left over that of the beginning.
+   mfem::real_t reduction = 1.0;
+};
+
 /// An approximate inverse of the Jacobian that follows its changes.
 class BiphasicPreconditioner : public mfem::Solver
 {
@@ -48,16 +57,16 @@ public:
    using mfem::Solver::Solver;
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    virtual void ContactMoved() = 0;
-   /// The bodies' matrices are others; what was made of them may go on serving.
-   /// Collective.
-   virtual void BodiesChanged() = 0;
+   /// The matrices of bodies or contact have other values, a little later in
+   /// the deformation; what was made of them may go on serving. Collective.
+   virtual void TangentChanged() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
    /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
    /// of no use then. Collective.
    virtual void Update() = 0;
    /// Called after each try to solve; says whether another try, from where the
    /// last one got to, is worth it if that one did not converge. Collective.
-   virtual bool Report(int iterations, bool converged) = 0;
+   virtual bool Report(const SolveAttempt &attempt) = 0;
    /// Iterations after which a solve had better Report().
    virtual int Patience() const = 0;
    /// What it did since the start: set-ups, factorizations, columns.
@@ -94,7 +103,7 @@ public:
    ~BiphasicLinearSolver();
 
    void ContactMoved() { preconditioner->ContactMoved(); }
-   void BodiesChanged() { preconditioner->BodiesChanged(); }
+   void TangentChanged() { preconditioner->TangentChanged(); }
 
    /// Norm of a residual in units of the tolerance: at most 1 is good enough.
    /// Collective.

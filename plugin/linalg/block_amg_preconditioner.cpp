@@ -2,6 +2,7 @@
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/vector_entries.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -29,14 +30,14 @@ bool Same(const Vector &a, const Vector &b)
 
 // Takes the pairs' weights into @a kept and says whether any rank's changed.
 template <typename GetWeights>
-bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
+bool TakeWeights(const ContactTerms &pairs, MPI_Comm comm,
                  std::vector<Vector> &kept, GetWeights weights)
 {
    kept.resize(pairs.size());
    bool changed = false;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      const Vector &now = weights(*pairs[i]);
+      const Vector &now = weights(pairs[i]);
       if (!Same(kept[i], now))
       {
          kept[i] = now;
@@ -46,22 +47,22 @@ bool TakeWeights(const ContactPairs &pairs, MPI_Comm comm,
    return AnyRank(changed, comm);
 }
 
-std::vector<const HypreParMatrix *> Gaps(const BiphasicJacobian &jacobian)
+std::vector<const HypreParMatrix *> Gaps(const ContactTerms &pairs)
 {
    std::vector<const HypreParMatrix *> gaps;
-   for (size_t i = 0; i < jacobian.Pairs().size(); i++)
+   for (const ContactFactors &pair : pairs)
    {
-      gaps.push_back(&jacobian.Gap(i));
+      gaps.push_back(pair.gap);
    }
    return gaps;
 }
 
-std::vector<const HypreParMatrix *> Jumps(const BiphasicJacobian &jacobian)
+std::vector<const HypreParMatrix *> Jumps(const ContactTerms &pairs)
 {
    std::vector<const HypreParMatrix *> jumps;
-   for (const ContactPair *pair : jacobian.Pairs())
+   for (const ContactFactors &pair : pairs)
    {
-      jumps.push_back(pair->Factors().jump);
+      jumps.push_back(pair.jump);
    }
    return jumps;
 }
@@ -139,35 +140,39 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
    const BiphasicJacobian &jacobian_, MPI_Comm comm_,
    const DirectOptions &options_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_), options(options_), bodies(jacobian.Volume())
+     comm(comm_), options(options_),
+     // Under a load, the stiffness of bodies of finite deformation need not be
+     // definite.
+     kind(jacobian.Volume().symmetric ? MatrixKind::positive_definite
+                                      : MatrixKind::symmetric),
+     displacement(std::make_unique<FilteredAmg>(
+        *jacobian.Volume().stiffness, jacobian.DisplacementDofs(),
+        Overlap(jacobian.Volume()), kind, options))
 {
-   TakeBodies();
 }
 
-void BlockAmgPreconditioner::BodiesChanged()
+void BlockAmgPreconditioner::TangentChanged()
 {
-   bodies_changed = true;
+   tangent_changed = true;
 }
 
-bool BlockAmgPreconditioner::AreBodiesOutdated() const
+void BlockAmgPreconditioner::FollowTangent()
 {
-   constexpr real_t slower = 1.5;
-   // Of which nothing can be said.
-   constexpr int few = 5;
-   return bodies_changed && last_iterations > few + slower * first_iterations;
-}
-
-void BlockAmgPreconditioner::TakeBodies()
-{
-   bodies = jacobian.Volume();
-   displacement = std::make_unique<FilteredAmg>(
-      *bodies.stiffness, jacobian.DisplacementDofs(), Overlap(bodies), options);
-   pressure.reset();
-   built = false;
-   moved = true;
-   bodies_changed = false;
-   first_iterations = 0;
-   last_iterations = 0;
+   // What a new beginning costs, in iterations.
+   constexpr real_t cost = 10.0;
+   displacement->Replace(*jacobian.Volume().stiffness,
+                         Gaps(jacobian.Contact()));
+   if (extra_iterations > cost)
+   {
+      built = false;
+      moved = true;
+      pressure.reset();
+   }
+   else if (pressure)
+   {
+      pressure->Replace(*schur, Jumps(jacobian.Contact()));
+   }
+   tangent_changed = false;
 }
 
 void BlockAmgPreconditioner::ContactMoved()
@@ -177,18 +182,18 @@ void BlockAmgPreconditioner::ContactMoved()
 
 void BlockAmgPreconditioner::Update()
 {
-   if (AreBodiesOutdated())
+   if (tangent_changed)
    {
-      TakeBodies();
+      FollowTangent();
    }
    const bool gaps_changed =
-      TakeWeights(jacobian.Pairs(), comm, gap_weights,
-                  [](const ContactPair &pair) -> const Vector &
-                  { return *pair.Factors().gap_weights; });
+      TakeWeights(jacobian.Contact(), comm, gap_weights,
+                  [](const ContactFactors &pair) -> const Vector &
+                  { return *pair.gap_weights; });
    const bool jumps_changed =
-      TakeWeights(jacobian.Pairs(), comm, jump_weights,
-                  [](const ContactPair &pair) -> const Vector &
-                  { return *pair.Factors().jump_weights; });
+      TakeWeights(jacobian.Contact(), comm, jump_weights,
+                  [](const ContactFactors &pair) -> const Vector &
+                  { return *pair.jump_weights; });
    UpdateDisplacement(gaps_changed);
    UpdatePressure(jumps_changed);
    moved = false;
@@ -197,14 +202,13 @@ void BlockAmgPreconditioner::Update()
 std::vector<Vector> BlockAmgPreconditioner::SoftWeights() const
 {
    std::vector<Vector> weights;
-   for (const ContactPair *pair : jacobian.Pairs())
+   for (const ContactFactors &pair : jacobian.Contact())
    {
-      const ContactFactors factors = pair->Factors();
-      weights.push_back(*factors.gap_weights);
-      for (int j = 0; j < weights.back().Size(); j++)
+      weights.emplace_back(*pair.gap_weights);
+      Vector &soft = weights.back();
+      for (int j = 0; j < soft.Size(); j++)
       {
-         weights.back()[j] =
-            std::min(weights.back()[j], (*factors.gap_resistance)[j]);
+         soft[j] = std::min(soft[j], (*pair.gap_resistance)[j]);
       }
    }
    return weights;
@@ -246,16 +250,22 @@ void BlockAmgPreconditioner::BuildHierarchy()
                               ElasticityAmg(jacobian.Volume()));
    built = true;
    served = 0;
+   fresh_rate = 0.0;
+   extra_iterations = 0.0;
    work.setups++;
 }
 
-bool BlockAmgPreconditioner::Report(int iterations, bool)
+bool BlockAmgPreconditioner::Report(const SolveAttempt &attempt)
 {
-   served += iterations;
-   last_iterations = iterations;
-   if (first_iterations == 0)
+   served += attempt.iterations;
+   const real_t tenths = -std::log10(attempt.reduction);
+   if (tenths > 0.0 && fresh_rate == 0.0)
    {
-      first_iterations = iterations;
+      fresh_rate = attempt.iterations / tenths;
+   }
+   else if (tenths > 0.0)
+   {
+      extra_iterations += attempt.iterations - fresh_rate * tenths;
    }
    return false;
 }
@@ -268,7 +278,7 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    }
    if (moved)
    {
-      displacement->SetFactors(Gaps(jacobian));
+      displacement->SetFactors(Gaps(jacobian.Contact()));
    }
    if (moved || gaps_changed)
    {
@@ -283,8 +293,9 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
    // filter takes care of it.
    if (moved)
    {
-      touched = FilteredAmg::Touched(
-         jacobian.Offsets()[2] - jacobian.Offsets()[1], Jumps(jacobian));
+      touched =
+         FilteredAmg::Touched(jacobian.Offsets()[2] - jacobian.Offsets()[1],
+                              Jumps(jacobian.Contact()));
    }
    Array<int> always_drained;
    Array<int> drained;
@@ -304,14 +315,15 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       p_dofs = always_drained;
       pressure.reset();
       schur = jacobian.SchurComplement(p_dofs);
-      pressure = std::make_unique<FilteredAmg>(*schur, p_dofs, 1, options);
+      pressure = std::make_unique<FilteredAmg>(
+         *schur, p_dofs, 1, MatrixKind::positive_definite, options);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
                              FlowAmg());
       work.setups++;
    }
    if (moved || other_matrix)
    {
-      pressure->SetFactors(Jumps(jacobian));
+      pressure->SetFactors(Jumps(jacobian.Contact()));
    }
    if (moved || other_matrix || other_drained || jumps_changed)
    {
@@ -342,7 +354,7 @@ void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
    u_free = y_u;
    u_free.SetSubVector(jacobian.DisplacementDofs(), 0.0);
    residual = x_p;
-   jacobian.AddDivergence(u_free, residual);
+   jacobian.AddMassOfDisplacement(u_free, residual);
    residual.Neg();
    CopyEntries(jacobian.PressureDofs(), x_p, residual);
    pressure->Mult(residual, y_p);

@@ -15,7 +15,9 @@ namespace synovia
 /// bodies: multigrid likes these, and for what is longer than an element they
 /// are as good as the real ones, so that iterations don't grow with the mesh.
 /// It is built anew when much of the active set has changed since and it has
-/// served a few times as long as building it takes.
+/// served a few times as long as building it takes. When the tangent changes,
+/// all goes on serving until the iterations that this has cost are worth a new
+/// beginning.
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -25,9 +27,9 @@ public:
                           const DirectOptions &options);
 
    void ContactMoved() override;
-   void BodiesChanged() override;
+   void TangentChanged() override;
    void Update() override;
-   bool Report(int iterations, bool converged) override;
+   bool Report(const SolveAttempt &attempt) override;
    int Patience() const override { return std::numeric_limits<int>::max(); }
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
@@ -35,21 +37,21 @@ private:
    std::vector<mfem::Vector> SoftWeights() const;
    bool IsOutdated() const;
    void BuildHierarchy();
-   bool AreBodiesOutdated() const;
-   /// Starts over with the bodies as they are.
-   void TakeBodies();
+   /// Follows the tangent, with what there is or from the beginning.
+   void FollowTangent();
    void UpdateDisplacement(bool gaps_changed);
    void UpdatePressure(bool jumps_changed);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    DirectOptions options;
-   /// The matrices that all was made of; shares them.
-   VolumeMatrices bodies;
-   bool bodies_changed = false;
-   /// Iterations of the first and the last solve with them.
-   int first_iterations = 0;
-   int last_iterations = 0;
+   MatrixKind kind;
+   bool tangent_changed = false;
+   /// Iterations for a tenth of the residual, in the first solve with all that
+   /// was made of one tangent; 0 before.
+   mfem::real_t fresh_rate = 0.0;
+   /// Iterations since, more than with that rate.
+   mfem::real_t extra_iterations = 0.0;
    std::unique_ptr<FilteredAmg> displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;

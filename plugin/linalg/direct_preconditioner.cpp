@@ -36,12 +36,11 @@ bool Differs(real_t a, real_t b)
    return std::abs(a - b) > other_weight * std::max(a, b);
 }
 
-// |a - b|^2 and |b|^2 on this rank.
-std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
-                               const LowRankUpdate::Column &b)
+// Of parts of vectors a and b, adds |a - b|^2 and |b|^2 to @a squares.
+void AddDistance(const SparsePart &a, const SparsePart &b,
+                 std::array<real_t, 2> &squares)
 {
    std::map<int, real_t> difference;
-   std::array<real_t, 2> squares{{0.0, 0.0}};
    for (std::size_t i = 0; i < a.dofs.size(); i++)
    {
       difference[a.dofs[i]] += a.entries[i];
@@ -55,6 +54,14 @@ std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
    {
       squares[0] += entry.second * entry.second;
    }
+}
+
+std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
+                               const LowRankUpdate::Column &b)
+{
+   std::array<real_t, 2> squares{{0.0, 0.0}};
+   AddDistance(a.left, b.left, squares);
+   AddDistance(a.right, b.right, squares);
    return squares;
 }
 } // namespace
@@ -74,7 +81,7 @@ real_t DirectPreconditioner::MostColumns(int renew_after)
 
 void DirectPreconditioner::ContactMoved()
 {
-   rows.clear();
+   tables.clear();
    moved = true;
 }
 
@@ -102,13 +109,12 @@ DirectPreconditioner::FindChanges() const
          }
       }
    };
-   for (size_t i = 0; i < jacobian.Pairs().size(); i++)
+   for (size_t i = 0; i < jacobian.Contact().size(); i++)
    {
-      const ContactPair &pair = *jacobian.Pairs()[i];
-      compare(*pair.Factors().gap_weights, gap_weights[i], 1.0, jacobian.Gap(i),
-              gap_row, i);
-      compare(*pair.Factors().jump_weights, jump_weights[i],
-              -jacobian.TimeStep(), *pair.Factors().jump, jump_row, i);
+      const ContactFactors &pair = jacobian.Contact()[i];
+      compare(*pair.gap_weights, gap_weights[i], 1.0, *pair.gap, gap_row, i);
+      compare(*pair.jump_weights, jump_weights[i], -jacobian.TimeStep(),
+              *pair.jump, jump_row, i);
    }
    const HYPRE_BigInt first = jacobian.Volume().darcy->RowPart()[0];
    const auto add_missing =
@@ -154,10 +160,10 @@ void DirectPreconditioner::Factorize()
    p_dofs = jacobian.PressureDofs();
    gap_weights.clear();
    jump_weights.clear();
-   for (const ContactPair *pair : jacobian.Pairs())
+   for (const ContactFactors &pair : jacobian.Contact())
    {
-      gap_weights.push_back(*pair->Factors().gap_weights);
-      jump_weights.push_back(*pair->Factors().jump_weights);
+      gap_weights.push_back(*pair.gap_weights);
+      jump_weights.push_back(*pair.jump_weights);
    }
    outdated = false;
    moved = false;
@@ -173,20 +179,20 @@ void DirectPreconditioner::Factorize()
    }
    else
    {
-      factors = MakeDirectSolver(*matrix, MatrixKind::symmetric, options);
+      factors = MakeDirectSolver(*matrix,
+                                 jacobian.IsSymmetric() ? MatrixKind::symmetric
+                                                        : MatrixKind::general,
+                                 options);
    }
    work.factorizations++;
 }
 
-const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
+const SparseMatrix &DirectPreconditioner::Rows(const HypreParMatrix &matrix)
 {
-   std::unique_ptr<SparseMatrix> &table = rows[{kind, pair}];
+   std::unique_ptr<SparseMatrix> &table = tables[&matrix];
    if (!table)
    {
-      const HypreParMatrix &whole =
-         kind == gap_row ? jacobian.Gap(pair)
-                         : *jacobian.Pairs()[pair]->Factors().jump;
-      const std::unique_ptr<HypreParMatrix> transpose(whole.Transpose());
+      const std::unique_ptr<HypreParMatrix> transpose(matrix.Transpose());
       SparseMatrix mine;
       transpose->MergeDiagAndOffd(mine);
       table.reset(Transpose(mine));
@@ -194,31 +200,58 @@ const SparseMatrix &DirectPreconditioner::Rows(Kind kind, int pair)
    return *table;
 }
 
+void DirectPreconditioner::AddDisplacements(const HypreParMatrix &matrix,
+                                            int row, SparsePart &part)
+{
+   const SparseMatrix &table = Rows(matrix);
+   for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
+   {
+      const int dof = table.GetJ()[i];
+      if (jacobian.DisplacementDofs().FindSorted(dof) < 0)
+      {
+         part.Add(dof, table.GetData()[i]);
+      }
+   }
+}
+
+void DirectPreconditioner::AddPressures(const HypreParMatrix &matrix, int row,
+                                        SparsePart &part)
+{
+   const SparseMatrix &table = Rows(matrix);
+   for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
+   {
+      part.Add(jacobian.Offsets()[1] + table.GetJ()[i], table.GetData()[i]);
+   }
+}
+
 DirectPreconditioner::Column DirectPreconditioner::ColumnOf(const Key &key)
 {
    Column column;
-   const Kind kind = static_cast<Kind>(key[0]);
-   if (kind == held_pressure)
+   if (key[0] == held_pressure)
    {
       const HYPRE_BigInt *part = jacobian.Volume().darcy->RowPart();
       if (key[2] >= part[0] && key[2] < part[1])
       {
-         column.dofs.push_back(jacobian.Offsets()[1] +
-                               static_cast<int>(key[2] - part[0]));
-         column.entries.push_back(1.0);
+         column.left.Add(
+            jacobian.Offsets()[1] + static_cast<int>(key[2] - part[0]), 1.0);
       }
+      column.right = column.left;
       return column;
    }
-   const SparseMatrix &table = Rows(kind, static_cast<int>(key[1]));
+   const ContactFactors &pair = jacobian.Contact()[key[1]];
    const int row = static_cast<int>(key[2]);
-   const int begin = jacobian.Offsets()[kind == gap_row ? 0 : 1];
-   for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
+   if (key[0] == gap_row)
    {
-      const int dof = table.GetJ()[i];
-      if (kind == jump_row || jacobian.DisplacementDofs().FindSorted(dof) < 0)
+      AddDisplacements(*pair.gap, row, column.left);
+      AddDisplacements(*pair.gap_change, row, column.right);
+   }
+   else
+   {
+      AddPressures(*pair.jump, row, column.left);
+      column.right = column.left;
+      if (pair.jump_change)
       {
-         column.dofs.push_back(begin + dof);
-         column.entries.push_back(table.GetData()[i]);
+         AddDisplacements(*pair.jump_change, row, column.right);
       }
    }
    return column;
@@ -267,12 +300,7 @@ void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
          Column &column = columns[keys[i]];
          column = ColumnOf(keys[i]);
          column.z.SetSize(height);
-         wanted.emplace_back(height);
-         wanted.back() = 0.0;
-         for (size_t k = 0; k < column.dofs.size(); k++)
-         {
-            wanted.back()[column.dofs[k]] = column.entries[k];
-         }
+         wanted.push_back(column.left.Dense(height));
          right_sides.Append(&wanted.back());
          solutions.Append(&column.z);
       }
@@ -311,10 +339,10 @@ int DirectPreconditioner::Patience() const
    return fresh ? renew_after : std::min(renew_after, stale);
 }
 
-bool DirectPreconditioner::Report(int iterations, bool converged)
+bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 {
-   extra_solves += std::max(0, iterations - 1);
-   const bool again = !converged && !fresh;
+   extra_solves += std::max(0, attempt.iterations - 1);
+   const bool again = !attempt.converged && !fresh;
    outdated = again || extra_solves >= renew_after;
    return again;
 }

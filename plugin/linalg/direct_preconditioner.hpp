@@ -30,9 +30,9 @@ public:
 
    void ContactMoved() override;
    /// Older factors serve as long as their iterations cost less than new ones.
-   void BodiesChanged() override {}
+   void TangentChanged() override { tables.clear(); }
    void Update() override;
-   bool Report(int iterations, bool converged) override;
+   bool Report(const SolveAttempt &attempt) override;
    int Patience() const override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
@@ -63,10 +63,15 @@ private:
    std::vector<Key> FindMissing(const std::vector<Change> &changes);
    /// Makes the columns, solved for in batches.
    void AddColumns(const std::vector<Key> &keys);
-   /// Column of W; its z is left empty.
+   /// Its z is left empty.
    Column ColumnOf(const Key &key);
-   /// Global rows of a pair's gap or jump operator x local true dofs.
-   const mfem::SparseMatrix &Rows(Kind kind, int pair);
+   /// Global rows of a contact operator x local true dofs.
+   const mfem::SparseMatrix &Rows(const mfem::HypreParMatrix &matrix);
+   /// Adds a row of a contact operator on free dofs to @a part.
+   void AddDisplacements(const mfem::HypreParMatrix &matrix, int row,
+                         SparsePart &part);
+   void AddPressures(const mfem::HypreParMatrix &matrix, int row,
+                     SparsePart &part);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
@@ -83,7 +88,8 @@ private:
    mfem::Array<int> p_dofs;
    mfem::Vector holding;
    std::unique_ptr<mfem::Solver> factors;
-   std::map<std::pair<int, int>, std::unique_ptr<mfem::SparseMatrix>> rows;
+   std::map<const mfem::HypreParMatrix *, std::unique_ptr<mfem::SparseMatrix>>
+      tables;
    std::map<Key, Column> columns;
    LowRankUpdate update;
    mutable mfem::Vector right_side;

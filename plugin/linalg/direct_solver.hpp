@@ -13,7 +13,9 @@ namespace synovia
 enum class MatrixKind
 {
    positive_definite,
-   symmetric
+   symmetric,
+   /// With entries at symmetric places, or nearly so.
+   general
 };
 
 /// The library that factorizes.

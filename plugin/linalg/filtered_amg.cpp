@@ -86,9 +86,9 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 
 FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
                          const Array<int> &prescribed_, int overlap_,
-                         const DirectOptions &options_)
-   : Solver(matrix_.Height()), matrix(matrix_), prescribed(prescribed_),
-     overlap(overlap_), options(options_), residual(height)
+                         MatrixKind kind_, const DirectOptions &options_)
+   : Solver(matrix_.Height()), matrix(&matrix_), prescribed(prescribed_),
+     overlap(overlap_), kind(kind_), options(options_), residual(height)
 {
 }
 
@@ -140,6 +140,13 @@ void FilteredAmg::SetFactors(
    selected.reset();
 }
 
+void FilteredAmg::Replace(const HypreParMatrix &matrix_,
+                          const std::vector<const HypreParMatrix *> &factors_)
+{
+   matrix = &matrix_;
+   factors = factors_;
+}
+
 Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights,
                                const std::vector<Vector> &in_hierarchy) const
 {
@@ -178,7 +185,7 @@ bool FilteredAmg::Select(const Array<int> &needed)
          other = true;
       }
    }
-   return AnyRank(other, matrix.GetComm());
+   return AnyRank(other, matrix->GetComm());
 }
 
 void FilteredAmg::Restrict()
@@ -186,7 +193,7 @@ void FilteredAmg::Restrict()
    Array<int> marker(*selected);
    for (int layer = 0; layer < overlap; layer++)
    {
-      MarkNeighbors(matrix, marker);
+      MarkNeighbors(*matrix, marker);
       Unmark(prescribed, marker);
    }
    contact_dofs.SetSize(0);
@@ -200,7 +207,7 @@ void FilteredAmg::Restrict()
    contact_solver.reset();
    penalties.reset();
    factors_in_contact.clear();
-   has_contact = AnyRank(contact_dofs.Size() > 0, matrix.GetComm());
+   has_contact = AnyRank(contact_dofs.Size() > 0, matrix->GetComm());
    if (!has_contact)
    {
       return;
@@ -209,8 +216,8 @@ void FilteredAmg::Restrict()
    small_correction.SetSize(contact_dofs.Size());
    first.SetSize(contact_dofs.Size());
    const std::unique_ptr<HypreParMatrix> injection =
-      Injection(matrix, contact_dofs);
-   contact_columns.reset(ParMult(&matrix, injection.get(), true));
+      Injection(*matrix, contact_dofs);
+   contact_columns.reset(ParMult(matrix, injection.get(), true));
    const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
    matrix_in_contact.reset(
       ParMult(restriction.get(), contact_columns.get(), true));
@@ -238,7 +245,8 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
    penalties.reset();
    for (size_t i = 0; i < factors_in_contact.size(); i++)
    {
-      AddWeightedSquare(*factors_in_contact[i], weights[i], penalties);
+      const HypreParMatrix &factor = *factors_in_contact[i];
+      AddTo(penalties, WeightedProduct(factor, weights[i], factor));
    }
    const std::unique_ptr<HypreParMatrix> whole(
       Add(1.0, *matrix_in_contact, 1.0, *penalties));
@@ -249,8 +257,7 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
    }
    else
    {
-      contact_solver =
-         MakeDirectSolver(*whole, MatrixKind::positive_definite, options);
+      contact_solver = MakeDirectSolver(*whole, kind, options);
    }
    return true;
 }

@@ -27,9 +27,10 @@ public:
    /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
    /// dofs, ascending, don't count: those have unit rows in the inverse.
    /// Solves exactly for @a overlap layers of dofs around those of the rows
-   /// that have a weight, too, with a direct solver that has @a options.
+   /// that have a weight, too, with a direct solver that has @a options, for
+   /// matrices of this @a kind.
    FilteredAmg(const mfem::HypreParMatrix &matrix,
-               const mfem::Array<int> &prescribed, int overlap,
+               const mfem::Array<int> &prescribed, int overlap, MatrixKind kind,
                const DirectOptions &options);
 
    /// Takes @a amg, set up to choice but not yet with an operator, and builds
@@ -42,6 +43,11 @@ public:
    /// Borrows other contact operators F, rows x true dofs, until others come.
    /// Their columns at prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
+   /// Borrows another A and other factors in place of those before, from which
+   /// they differ little: what was made of those goes on serving, until the
+   /// dofs to solve for exactly are others.
+   void Replace(const mfem::HypreParMatrix &matrix,
+                const std::vector<const mfem::HypreParMatrix *> &factors);
    /// Takes other dofs, ascending and among those that Touched() gives for the
    /// factors, which are to be treated as if they were prescribed, although the
    /// hierarchy knows nothing of it. SetWeights() must follow.
@@ -74,9 +80,10 @@ private:
    void Restrict();
    void HoldContact(mfem::HypreParMatrix &in_contact);
 
-   const mfem::HypreParMatrix &matrix;
+   const mfem::HypreParMatrix *matrix;
    mfem::Array<int> prescribed;
    int overlap;
+   MatrixKind kind;
    DirectOptions options;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
@@ -90,7 +97,7 @@ private:
    mfem::Array<int> held_in_contact;
    bool has_contact = false;
    /// A's columns of the contact dofs, without prescribed rows: the contact's
-   /// rows as well, as A is symmetric.
+   /// rows as well, as A is symmetric, or nearly so.
    std::unique_ptr<mfem::HypreParMatrix> contact_columns;
    /// All on the contact dofs alone: A, the factors, and sum F^T W F.
    std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;

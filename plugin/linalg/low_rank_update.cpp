@@ -7,7 +7,13 @@ namespace synovia
 
 using namespace mfem;
 
-real_t LowRankUpdate::Column::Times(const Vector &x) const
+void SparsePart::Add(int dof, real_t entry)
+{
+   dofs.push_back(dof);
+   entries.push_back(entry);
+}
+
+real_t SparsePart::Times(const Vector &x) const
 {
    const real_t *values = x.HostRead();
    real_t sum = 0.0;
@@ -16,6 +22,17 @@ real_t LowRankUpdate::Column::Times(const Vector &x) const
       sum += entries[i] * values[dofs[i]];
    }
    return sum;
+}
+
+Vector SparsePart::Dense(int size) const
+{
+   Vector x(size);
+   x = 0.0;
+   for (std::size_t i = 0; i < dofs.size(); i++)
+   {
+      x[dofs[i]] = entries[i];
+   }
+   return x;
 }
 
 void LowRankUpdate::Set(std::vector<const Column *> columns_, const Vector &k)
@@ -31,7 +48,7 @@ void LowRankUpdate::Set(std::vector<const Column *> columns_, const Vector &k)
    {
       for (int i = 0; i < n; i++)
       {
-         middle(i, j) = columns[i]->Times(columns[j]->z);
+         middle(i, j) = columns[i]->right.Times(columns[j]->z);
       }
    }
    MPI_Allreduce(MPI_IN_PLACE, middle.Data(), n * n,
@@ -57,7 +74,7 @@ void LowRankUpdate::Correct(Vector &y) const
    Vector parts(n);
    for (int i = 0; i < n; i++)
    {
-      parts[i] = columns[i]->Times(y);
+      parts[i] = columns[i]->right.Times(y);
    }
    MPI_Allreduce(MPI_IN_PLACE, parts.GetData(), n, MPITypeMap<real_t>::mpi_type,
                  MPI_SUM, comm);

@@ -8,23 +8,31 @@
 namespace synovia
 {
 
-/// Turns an approximate inverse of A into one of A + W K W^T, W having few
-/// sparse columns and K being diagonal, by Woodbury's formula
+/// The entries of a sparse distributed vector that this rank has.
+struct SparsePart
+{
+   std::vector<int> dofs;
+   std::vector<mfem::real_t> entries;
+
+   void Add(int dof, mfem::real_t entry);
+   /// Dot product on this rank.
+   mfem::real_t Times(const mfem::Vector &x) const;
+   mfem::Vector Dense(int size) const;
+};
+
+/// Turns an approximate inverse of A into one of A + L K R^T, L and R having
+/// few sparse columns and K being diagonal, by Woodbury's formula
 ///
-///     (A + W K W^T)^-1 = A^-1 - Z (K^-1 + W^T Z)^-1 W^T A^-1,  Z = A^-1 W.
+///     (A + L K R^T)^-1 = A^-1 - Z (K^-1 + R^T Z)^-1 R^T A^-1,  Z = A^-1 L.
 class LowRankUpdate
 {
 public:
-   /// A column of W, by its non-zero entries on this rank, and this rank's part
-   /// of the one of Z that belongs to it.
+   /// Columns of L, R and Z that belong together, as this rank has them.
    struct Column
    {
-      std::vector<int> dofs;
-      std::vector<mfem::real_t> entries;
+      SparsePart left;
+      SparsePart right;
       mfem::Vector z;
-
-      /// w . x on this rank.
-      mfem::real_t Times(const mfem::Vector &x) const;
    };
 
    explicit LowRankUpdate(MPI_Comm comm_) : comm(comm_) {}
@@ -33,13 +41,13 @@ public:
    /// for A as it is. Collective.
    void Set(std::vector<const Column *> columns, const mfem::Vector &k);
 
-   /// @a y = A^-1 x becomes (A + W K W^T)^-1 x. Collective.
+   /// @a y = A^-1 x becomes (A + L K R^T)^-1 x. Collective.
    void Correct(mfem::Vector &y) const;
 
 private:
    MPI_Comm comm;
    std::vector<const Column *> columns;
-   /// D (K^-1 + W^T Z) D, whose D makes its rows comparable.
+   /// D (K^-1 + R^T Z) D, whose D makes its rows comparable.
    mfem::DenseMatrix middle;
    mfem::Vector scale;
    std::unique_ptr<mfem::DenseMatrixInverse> inverse;

@@ -32,11 +32,25 @@ constexpr int status = 1;
 constexpr int detail = 2;
 constexpr int estimated_memory = 16;
 
+constexpr MUMPS_INT unsymmetric = 0;
 constexpr MUMPS_INT spd = 1;
 constexpr MUMPS_INT symmetric_indefinite = 2;
 constexpr MUMPS_INT distributed_entries = 3;
 constexpr MUMPS_INT distributed_right_side = 10;
 constexpr MUMPS_INT distributed_solution = 1;
+
+MUMPS_INT Symmetry(MatrixKind kind)
+{
+   switch (kind)
+   {
+   case MatrixKind::positive_definite:
+      return spd;
+   case MatrixKind::symmetric:
+      return symmetric_indefinite;
+   default:
+      return unsymmetric;
+   }
+}
 
 std::string Megabytes(double amount)
 {
@@ -46,8 +60,7 @@ std::string Megabytes(double amount)
 
 MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit)
 {
-   data.sym =
-      kind == MatrixKind::positive_definite ? spd : symmetric_indefinite;
+   data.sym = Symmetry(kind);
    data.par = 1;
    data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
    Run(MumpsJob::start);

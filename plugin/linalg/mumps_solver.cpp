@@ -16,10 +16,11 @@ using namespace mfem;
 
 namespace
 {
-/// The lower triangle of this rank's rows, in global numbers from 1.
-struct LowerTriangle
+/// This rank's rows, only the lower triangle of symmetric ones, in global
+/// numbers from 1.
+struct Entries
 {
-   explicit LowerTriangle(const HypreParMatrix &matrix)
+   Entries(const HypreParMatrix &matrix, bool lower_triangle)
    {
       const SparseMatrix mine = LocalRows(matrix);
       const int first = static_cast<int>(matrix.RowPart()[0]);
@@ -31,7 +32,7 @@ struct LowerTriangle
          for (int k = mine.GetI()[i]; k < mine.GetI()[i + 1]; k++)
          {
             const int column = mine.GetJ()[k];
-            if (column <= first + i)
+            if (!lower_triangle || column <= first + i)
             {
                rows.push_back(first + i + 1);
                columns.push_back(column + 1);
@@ -69,7 +70,7 @@ void MumpsSolver::SetOperator(const Operator &op)
       instance.reset();
       instance = std::make_unique<MumpsInstance>(comm, kind, memory_limit);
    }
-   LowerTriangle entries(matrix);
+   Entries entries(matrix, kind != MatrixKind::general);
    instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
    instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
    instance->data.irn_loc = entries.rows.data();

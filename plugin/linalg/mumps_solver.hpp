@@ -14,7 +14,7 @@ namespace synovia
 
 class MumpsInstance;
 
-/// Factors of a distributed symmetric matrix, by MUMPS.
+/// Factors of a distributed matrix, by MUMPS.
 ///
 /// MFEM's own interface ends the program if a factorization fails; this one
 /// throws FactorizationError, and can go on with another matrix.

@@ -123,8 +123,9 @@ void UmfpackSolver::Factorize()
 void UmfpackSolver::Mult(const Vector &x, Vector &y) const
 {
    MFEM_VERIFY(numeric, "there is no factorization");
+   // UMFPACK takes rows for columns.
    const Index status = umfpack_dl_solve(
-      UMFPACK_A, begins.data(), indices.data(), entries.data(), y.HostWrite(),
+      UMFPACK_At, begins.data(), indices.data(), entries.data(), y.HostWrite(),
       x.HostRead(), numeric.get(), control.data(), nullptr);
    if (status != UMFPACK_OK)
    {

@@ -12,7 +12,7 @@
 namespace synovia
 {
 
-/// Factors of a symmetric matrix that is all on one rank, by UMFPACK.
+/// Factors of a matrix that is all on one rank, by UMFPACK.
 ///
 /// MFEM's own interface ends the program if a factorization fails; this one
 /// throws FactorizationError and can go on with another matrix.

@@ -41,9 +41,8 @@ BiphasicOperator::BiphasicOperator(
    BoundaryConditions &conditions_, std::vector<ContactPair *> pairs_,
    const NonlinearOptions &options_)
    : TimeDependentOperator(0, 0.0, IMPLICIT), spaces(spaces_),
-     conditions(conditions_), pairs(std::move(pairs_)),
-     const_pairs(pairs.begin(), pairs.end()), options(options_),
-     bodies(MakeTimed(times.assembly, make_bodies)),
+     conditions(conditions_), pairs(std::move(pairs_)), contact(pairs.size()),
+     options(options_), bodies(MakeTimed(times.assembly, make_bodies)),
      rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
      freedoms(body_list, spaces, conditions),
      start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
@@ -56,7 +55,7 @@ BiphasicOperator::BiphasicOperator(
    work.assemblies++;
    jacobian = std::make_unique<BiphasicJacobian>(
       bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
-      const_pairs, rigid.Any() ? &rigid : nullptr);
+      contact, rigid.Any() ? &rigid : nullptr);
    {
       const PhaseTimer timer(times.setup);
       linear = std::make_unique<BiphasicLinearSolver>(*jacobian, spaces,
@@ -247,11 +246,20 @@ void BiphasicOperator::Search(const Stage &stage)
    }
    if (moved)
    {
-      jacobian->ContactMoved();
+      UpdateFactors();
       linear->ContactMoved();
       report.searches++;
       work.searches++;
    }
+}
+
+void BiphasicOperator::UpdateFactors()
+{
+   for (std::size_t i = 0; i < pairs.size(); i++)
+   {
+      contact[i] = pairs[i]->Factors();
+   }
+   jacobian->ContactChanged();
 }
 
 bool BiphasicOperator::UpdateContact(Stage &stage)
@@ -542,7 +550,7 @@ void BiphasicOperator::Linearize(const BodyStage &stage)
    {
       work.assemblies++;
       jacobian->BodiesChanged();
-      linear->BodiesChanged();
+      linear->TangentChanged();
    }
 }
 

@@ -143,6 +143,8 @@ private:
    /// is next to nothing.
    bool TakeStep(const mfem::BlockVector &step, Stage &stage);
    void Search(const Stage &stage);
+   /// Takes the pairs' factors into the Jacobian.
+   void UpdateFactors();
    bool UpdateContact(Stage &stage);
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.
@@ -165,7 +167,8 @@ private:
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    std::vector<ContactPair *> pairs;
-   ContactPairs const_pairs;
+   /// What the pairs add to the Jacobian, in their order.
+   ContactTerms contact;
    NonlinearOptions options;
    PhaseTimes times;
    std::unique_ptr<BodyForm> bodies;

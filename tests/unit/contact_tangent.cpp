@@ -9,7 +9,7 @@
 //     mass:      B u + (dt L + S) p + dt x fluid exchanged in contact
 
 #include "support/boxes.hpp"
-#include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/linalg/biphasic_linear_solver.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -42,7 +42,6 @@ public:
       pair = std::make_unique<ContactPair>("pair", spaces, materials,
                                            mesh.Boundary("upper_z0"),
                                            mesh.Boundary("lower_z1"), options);
-      pairs.push_back(pair.get());
       matrices = std::make_unique<VolumeMatrices>(spaces, materials);
 
       state.SetSize(spaces.Offsets().Last());
@@ -73,6 +72,7 @@ public:
       Evaluate(state);
       pair->Enforcement().Augment();
       Evaluate(state);
+      contact.push_back(pair->Factors());
    }
 
    Vector Displacement(const Vector &x) const
@@ -187,7 +187,7 @@ public:
    ConstantPermeability upper_fluid;
    MaterialTable materials;
    std::unique_ptr<ContactPair> pair;
-   ContactPairs pairs;
+   ContactTerms contact;
    std::unique_ptr<VolumeMatrices> matrices;
    Vector state;
 
@@ -208,6 +208,59 @@ private:
       return MakeStack(lower, upper);
    }
 };
+
+/// Contact whose forces and jumps change with the displacement in every way, by
+/// matrices that mean nothing.
+class ComplexContact
+{
+public:
+   explicit ComplexContact(const Bodies &bodies)
+   {
+      ContactFactors factors = bodies.contact[0];
+      gap_weights = *factors.gap_weights;
+      jump_weights = *factors.jump_weights;
+      other_gap.reset(ParMult(factors.jump, bodies.matrices->divergence.get()));
+      gap_change.reset(Add(1.0, *factors.gap, 1.0, *other_gap));
+      force_change = WeightedProduct(*factors.gap, gap_weights, *other_gap);
+      outflow_change =
+         WeightedProduct(*factors.jump, gap_weights, *factors.gap);
+      factors.gap_change = gap_change.get();
+      factors.force_change = force_change.get();
+      factors.jump_change = other_gap.get();
+      factors.outflow_change = outflow_change.get();
+      factors.gap_weights = &gap_weights;
+      factors.jump_weights = &jump_weights;
+      terms.push_back(factors);
+   }
+
+   /// Every third vertex leaves.
+   void LiftSome()
+   {
+      for (int j = 0; j < gap_weights.Size(); j += 3)
+      {
+         gap_weights[j] = 0.0;
+         jump_weights[j] = 0.0;
+      }
+   }
+
+   Vector gap_weights;
+   Vector jump_weights;
+   ContactTerms terms;
+
+private:
+   std::unique_ptr<HypreParMatrix> other_gap;
+   std::unique_ptr<HypreParMatrix> gap_change;
+   std::unique_ptr<HypreParMatrix> force_change;
+   std::unique_ptr<HypreParMatrix> outflow_change;
+};
+
+void SetToZero(const Array<int> &dofs, int begin, Vector &x)
+{
+   for (const int dof : dofs)
+   {
+      x[begin + dof] = 0.0;
+   }
+}
 } // namespace
 
 TEST_CASE("The bodies are in contact and out of it, sealed and drained")
@@ -227,11 +280,11 @@ TEST_CASE("The Jacobian agrees with differences of the equations")
    Bodies bodies(order);
    const Array<int> none;
    BiphasicJacobian jacobian(*bodies.matrices, bodies.spaces.Offsets(), none,
-                             bodies.pairs);
+                             bodies.contact);
    jacobian.SetTimeStep(dt);
-   const ContactPairs no_pairs;
+   const ContactTerms no_contact;
    BiphasicJacobian apart(*bodies.matrices, bodies.spaces.Offsets(), none,
-                          no_pairs);
+                          no_contact);
    apart.SetTimeStep(dt);
    // With the bodies' own share and without, lest that hides an error.
    const bool with_bodies = GENERATE(true, false);
@@ -277,7 +330,7 @@ TEST_CASE("The Jacobian is symmetric, and the assembled one is the same")
    const Array<int> &offsets = bodies.spaces.Offsets();
    const Array<int> u_dofs = bodies.Prescribed(bodies.spaces.Displacement());
    const Array<int> p_dofs = bodies.Prescribed(bodies.spaces.Pressure());
-   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, bodies.pairs);
+   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, bodies.contact);
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(p_dofs);
    const Vector holding = jacobian.Holding();
@@ -325,5 +378,88 @@ TEST_CASE("The Jacobian is symmetric, and the assembled one is the same")
       bx -= ax;
       CHECK(std::sqrt(bodies.Dot(bx, bx)) <=
             1e-12 * std::sqrt(bodies.Dot(ax, ax)));
+   }
+}
+
+TEST_CASE("Contact with all its changes is applied as it is assembled")
+{
+   const int order = GENERATE(1, 2);
+   CAPTURE(order);
+   const Bodies bodies(order);
+   const ComplexContact contact(bodies);
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   const Array<int> u_dofs = bodies.Prescribed(bodies.spaces.Displacement());
+   const Array<int> p_dofs = bodies.Prescribed(bodies.spaces.Pressure());
+   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(p_dofs);
+   CHECK_FALSE(jacobian.IsSymmetric());
+   const auto assembled = jacobian.AssembleHeld(jacobian.Holding());
+   Vector ax(bodies.state.Size());
+   Vector ay(ax.Size());
+   Vector bx(ax.Size());
+   for (int seed = 1; seed <= 3; seed++)
+   {
+      Vector x = bodies.Random(seed);
+      const Vector y = bodies.Random(seed + 100);
+      jacobian.Mult(x, ax);
+      jacobian.Mult(y, ay);
+      CHECK(std::abs(bodies.Dot(y, ax) - bodies.Dot(x, ay)) >
+            1e-6 * std::sqrt(bodies.Dot(ax, ax) * bodies.Dot(y, y)));
+
+      SetToZero(p_dofs, offsets[1], x);
+      jacobian.Mult(x, ax);
+      assembled->Mult(x, bx);
+      SetToZero(p_dofs, offsets[1], bx);
+      bx -= ax;
+      CHECK(std::sqrt(bodies.Dot(bx, bx)) <=
+            1e-12 * std::sqrt(bodies.Dot(ax, ax)));
+   }
+}
+
+TEST_CASE("Contact with all its changes is solved by either method")
+{
+   const LinearMethod method =
+      GENERATE(LinearMethod::direct, LinearMethod::block_amg);
+   const Bodies bodies(2);
+   ComplexContact contact(bodies);
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   BiphasicJacobian jacobian(*bodies.matrices, offsets,
+                             bodies.Prescribed(bodies.spaces.Displacement()),
+                             contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
+   LinearOptions options;
+   options.method = method;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   const bool direct = method == LinearMethod::direct;
+   CAPTURE(direct);
+   const Vector exact = bodies.Random(1);
+   Vector right_side(exact.Size());
+   Vector found(exact.Size());
+   ResidualTolerance tolerance;
+   tolerance.momentum = tolerance.mass = 1e-9;
+   for (const bool lifted : {false, true})
+   {
+      CAPTURE(lifted);
+      if (lifted)
+      {
+         contact.LiftSome();
+      }
+      jacobian.Mult(exact, right_side);
+      const BiphasicLinearSolver::Result result =
+         solver.Solve(right_side, found, tolerance, 1.0);
+      CAPTURE(result.failure, result.iterations);
+      CHECK(result.converged);
+      // What is kept of the factorization is exact.
+      CHECK(result.iterations <= (direct ? 2 : 60));
+      found -= exact;
+      CHECK(std::sqrt(bodies.Dot(found, found)) <=
+            1e-5 * std::sqrt(bodies.Dot(exact, exact)));
+   }
+   if (direct)
+   {
+      CHECK(solver.Work().factorizations == 1);
+      CHECK(solver.Work().columns > 0);
    }
 }

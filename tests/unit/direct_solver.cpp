@@ -135,8 +135,8 @@ TEST_CASE("A direct solver takes matrices with the same entries and others")
    int solved = 0;
    for (const DirectLibrary library : Libraries())
    {
-      for (const MatrixKind kind :
-           {MatrixKind::positive_definite, MatrixKind::symmetric})
+      for (const MatrixKind kind : {MatrixKind::positive_definite,
+                                    MatrixKind::symmetric, MatrixKind::general})
       {
          const std::unique_ptr<Solver> solver =
             MakeDirectSolver(*first, kind, Options(library));
@@ -153,7 +153,7 @@ TEST_CASE("A direct solver takes matrices with the same entries and others")
          }
       }
    }
-   CHECK(solved == 6 * static_cast<int>(Libraries().size()));
+   CHECK(solved == 9 * static_cast<int>(Libraries().size()));
 }
 
 TEST_CASE("The libraries come to the same solution")

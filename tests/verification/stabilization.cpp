@@ -128,7 +128,7 @@ Vector SolveStep(BiphasicProblem &problem, bool stabilized, real_t dt)
    {
       matrices.stabilization.reset();
    }
-   const ContactPairs none;
+   const ContactTerms none;
    BiphasicJacobian jacobian(matrices, spaces.Offsets(),
                              conditions.DisplacementDofs(), none);
    jacobian.SetTimeStep(dt);

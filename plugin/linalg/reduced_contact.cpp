@@ -1,0 +1,49 @@
+#include "synovia/linalg/reduced_contact.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+ReducedContact::ReducedContact(const ContactTerms &original_,
+                               const RigidSurfaces *rigid_)
+   : original(original_), rigid(rigid_), reduced(original_)
+{
+}
+
+const HypreParMatrix *
+ReducedContact::ReduceColumns(const HypreParMatrix *matrix)
+{
+   if (!matrix)
+   {
+      return nullptr;
+   }
+   matrices.push_back(rigid->Reduce(*matrix));
+   return matrices.back().get();
+}
+
+void ReducedContact::Update()
+{
+   if (!rigid)
+   {
+      return;
+   }
+   matrices.clear();
+   reduced = original;
+   for (ContactFactors &factors : reduced)
+   {
+      const bool one_gap = factors.gap_change == factors.gap;
+      factors.gap = ReduceColumns(factors.gap);
+      factors.gap_change =
+         one_gap ? factors.gap : ReduceColumns(factors.gap_change);
+      factors.jump_change = ReduceColumns(factors.jump_change);
+      factors.outflow_change = ReduceColumns(factors.outflow_change);
+      if (factors.force_change)
+      {
+         matrices.push_back(rigid->ReduceBoth(*factors.force_change));
+         factors.force_change = matrices.back().get();
+      }
+   }
+}
+
+} // namespace synovia

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "synovia/contact/contact_factors.hpp"
+#include "synovia/fem/rigid_surfaces.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// What contact adds to the linearized equations, for displacements reduced by
+/// RigidSurfaces where there are any.
+class ReducedContact
+{
+public:
+   /// Borrows both; @a rigid is null where nothing is driven.
+   ReducedContact(const ContactTerms &original, const RigidSurfaces *rigid);
+
+   /// The matrices are others. Collective.
+   void Update();
+
+   const ContactTerms &Terms() const { return rigid ? reduced : original; }
+
+private:
+   using Matrix = mfem::HypreParMatrix;
+
+   /// Keeps a matrix whose columns are displacements, or null, in reduced form.
+   const Matrix *ReduceColumns(const Matrix *matrix);
+
+   const ContactTerms &original;
+   const RigidSurfaces *rigid;
+   ContactTerms reduced;
+   std::vector<std::unique_ptr<Matrix>> matrices;
+};
+
+} // namespace synovia
