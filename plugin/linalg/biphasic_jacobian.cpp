@@ -74,10 +74,9 @@ void BiphasicJacobian::ContactChanged()
    contact.Update();
 }
 
-bool BiphasicJacobian::IsSymmetric() const
+bool BiphasicJacobian::IsContactSymmetric() const
 {
-   return matrices.symmetric &&
-          std::all_of(Contact().begin(), Contact().end(),
+   return std::all_of(Contact().begin(), Contact().end(),
                       [](const ContactFactors &pair)
                       { return pair.IsSymmetric() && pair.IsUncoupled(); });
 }
@@ -194,7 +193,7 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
    std::unique_ptr<HypreParMatrix> block(
       sum ? Add(1.0, *matrices.stiffness, 1.0, *sum)
           : new HypreParMatrix(*matrices.stiffness));
-   if (IsSymmetric())
+   if (IsContactSymmetric())
    {
       block->EliminateBC(u_dofs, DIAG_ONE);
    }
@@ -272,7 +271,7 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
    const std::unique_ptr<HypreParMatrix> momentum = MomentumBlock();
    const std::unique_ptr<HypreParMatrix> coupling = CouplingBlock();
    std::unique_ptr<HypreParMatrix> transpose;
-   if (IsSymmetric())
+   if (IsContactSymmetric())
    {
       transpose.reset(coupling->Transpose());
    }

@@ -59,7 +59,9 @@ public:
    /// zero for all that a preconditioner needs. They depend on the time step.
    mfem::Vector Holding() const;
    /// The whole matrix, assembled, with unit rows for prescribed displacements
-   /// and -@a holding on the diagonal for prescribed pressures.
+   /// and -@a holding on the diagonal for prescribed pressures. Where contact
+   /// is symmetric it may be taken for symmetric: what the bodies' part of it
+   /// lacks for that is little, and the block in the upper right has it, too.
    std::unique_ptr<mfem::HypreParMatrix>
    AssembleHeld(const mfem::Vector &holding) const;
 
@@ -69,7 +71,7 @@ public:
    /// Of all pairs, for reduced displacements.
    const ContactTerms &Contact() const { return contact.Terms(); }
    const VolumeMatrices &Volume() const { return matrices; }
-   bool IsSymmetric() const;
+   bool IsContactSymmetric() const;
 
    /// K + sum G^T W G, with other @a weights W of the gaps, and unit rows and
    /// columns for the prescribed dofs: symmetric if K is. Collective.

@@ -179,10 +179,11 @@ void DirectPreconditioner::Factorize()
    }
    else
    {
-      factors = MakeDirectSolver(*matrix,
-                                 jacobian.IsSymmetric() ? MatrixKind::symmetric
+      factors =
+         MakeDirectSolver(*matrix,
+                          jacobian.IsContactSymmetric() ? MatrixKind::symmetric
                                                         : MatrixKind::general,
-                                 options);
+                          options);
    }
    work.factorizations++;
 }

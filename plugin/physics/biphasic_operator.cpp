@@ -1,9 +1,11 @@
 #include "synovia/physics/biphasic_operator.hpp"
+#include "synovia/fem/node_positions.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace synovia
 {
@@ -268,9 +270,7 @@ bool BiphasicOperator::UpdateContact(Stage &stage)
    unsettled.clear();
    for (ContactPair *pair : pairs)
    {
-      AugmentedLagrangian &enforcement = pair->Enforcement();
-      enforcement.Evaluate(stage.u, stage.p);
-      if (enforcement.UpdateActiveSet())
+      if (pair->Enforcement().UpdateActiveSet())
       {
          changed = true;
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
@@ -460,9 +460,14 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 {
    BlockVector residual(spaces.Offsets());
    BlockVector step(spaces.Offsets());
+   ForcingTerm forcing;
+   bool evaluated = false;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
-      ComputeResidual(stage, residual);
+      if (!evaluated)
+      {
+         ComputeResidual(stage, residual);
+      }
       real_t norm = linear->Norm(residual, tolerance);
       if (norm <= 1.0 && stage.from_start)
       {
@@ -486,16 +491,10 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       {
          Linearize(stage);
       }
-      // What decides the active set need not be exact; a settled set is
-      // solved to the end.
-      const real_t target =
-         pairs.empty() && bodies->IsLinear()
-            ? 1.0
-            : std::max(1.0, options.active_set_tolerance * norm);
       StopWatch watch;
       watch.Start();
       const BiphasicLinearSolver::Result result =
-         linear->Solve(residual, step, tolerance, target);
+         linear->Solve(residual, step, tolerance, LinearTarget(norm, forcing));
       step.SyncToBlocks();
       times.setup += result.setup_seconds;
       times.linear += watch.RealTime() - result.setup_seconds;
@@ -516,11 +515,11 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
          return FailSolve("the linear solver did not converge in " +
                           std::to_string(result.iterations) + " iterations");
       }
-      if (!TakeStep(step, stage))
+      if (!TakeStep(step, norm, tolerance, stage, residual))
       {
          return false;
       }
-      UpdateContact(stage);
+      evaluated = !UpdateContact(stage) && !bodies->IsLinear();
    }
    return Fail(unsettled.empty()
                   ? "Newton's method did not converge in " +
@@ -554,23 +553,118 @@ void BiphasicOperator::Linearize(const BodyStage &stage)
    }
 }
 
-bool BiphasicOperator::TakeStep(const BlockVector &step, Stage &stage)
+real_t BiphasicOperator::LinearTarget(real_t norm, ForcingTerm &forcing) const
+{
+   if (bodies->IsLinear())
+   {
+      // What decides the active set need not be exact; a settled set is solved
+      // to the end.
+      const real_t part = pairs.empty() ? 0.0 : options.active_set_tolerance;
+      return std::max(1.0, part * norm);
+   }
+   // What the linear system leaves must not spoil the last iteration.
+   constexpr real_t end = 0.3;
+   const bool inexact = options.active_set_tolerance > 0.0;
+   return inexact ? std::max(end, forcing.Next(norm) * norm) : end;
+}
+
+void BiphasicOperator::EvaluateContact(const Stage &stage)
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().Evaluate(stage.u, stage.p);
+   }
+}
+
+bool BiphasicOperator::TakeStep(const BlockVector &step, real_t norm,
+                                const ResidualTolerance &tolerance,
+                                Stage &stage, BlockVector &residual)
 {
    constexpr real_t least_share = 1.0 / 16.0;
+   // From the stage's start the step and the supports' increments go together,
+   // and what there was is no measure for what there will be.
+   const bool whole = stage.from_start;
+   stage.from_start = false;
    stage.u += step.GetBlock(0);
    stage.p += step.GetBlock(1);
-   std::string failure = bodies->Validate(stage);
-   // From the stage's start the step and the supports' increments go together.
-   for (real_t share = 0.5;
-        !failure.empty() && !stage.from_start && share >= least_share;
+   if (bodies->IsLinear())
+   {
+      EvaluateContact(stage);
+      return true;
+   }
+   const real_t limit = whole ? std::numeric_limits<real_t>::infinity() : norm;
+   std::string obstacle = FindObstacle(stage, limit, tolerance, residual);
+   for (real_t share = 0.5; !obstacle.empty() && !whole && share >= least_share;
         share *= 0.5)
    {
       stage.u.Add(-share, step.GetBlock(0));
       stage.p.Add(-share, step.GetBlock(1));
-      failure = bodies->Validate(stage);
+      obstacle = FindObstacle(stage, limit, tolerance, residual);
    }
-   stage.from_start = false;
-   return failure.empty() || Fail(failure);
+   return obstacle.empty() || Fail(obstacle);
+}
+
+std::string BiphasicOperator::FindObstacle(const Stage &stage, real_t norm,
+                                           const ResidualTolerance &tolerance,
+                                           BlockVector &residual)
+{
+   // Newton's method may have to climb a little before it falls; what is next
+   // to the tolerance is round-off.
+   constexpr real_t most_growth = 2.0;
+   constexpr real_t small = 10.0;
+   const std::string impossible = bodies->Validate(stage);
+   if (!impossible.empty())
+   {
+      return impossible;
+   }
+   EvaluateContact(stage);
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().UpdateTractions();
+   }
+   ComputeResidual(stage, residual);
+   const real_t now = linear->Norm(residual, tolerance);
+   if (now <= std::max(small, most_growth * norm))
+   {
+      return "";
+   }
+   const Point3 place = WorstPlace(residual);
+   return "along Newton's direction the residual grows from " + ToText(norm) +
+          " to " + ToText(now) + " times its tolerance, most of all at (" +
+          ToText(place[0]) + ", " + ToText(place[1]) + ", " + ToText(place[2]) +
+          ")";
+}
+
+Point3 BiphasicOperator::WorstPlace(const BlockVector &residual) const
+{
+   const Vector &forces = residual.GetBlock(0);
+   struct
+   {
+      double size;
+      int rank;
+   } worst = {-1.0, 0};
+   MPI_Comm comm = spaces.GetComm();
+   MPI_Comm_rank(comm, &worst.rank);
+   const int rank = worst.rank;
+   int largest = 0;
+   for (int i = 0; i < forces.Size(); i++)
+   {
+      if (std::abs(forces[i]) > worst.size)
+      {
+         worst.size = std::abs(forces[i]);
+         largest = i;
+      }
+   }
+   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+   const Vector positions = NodePositions(spaces.Displacement());
+   Point3 place{{0.0, 0.0, 0.0}};
+   for (int d = 0; d < 3 && rank == worst.rank; d++)
+   {
+      // The three components of a node follow each other.
+      place[d] = positions[largest / 3 * 3 + d];
+   }
+   MPI_Bcast(place.data(), 3, MPITypeMap<real_t>::mpi_type, worst.rank, comm);
+   return place;
 }
 
 bool BiphasicOperator::Escapes(const Vector &step)

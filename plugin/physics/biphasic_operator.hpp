@@ -5,6 +5,7 @@
 #include "synovia/fem/boundary_conditions.hpp"
 #include "synovia/linalg/biphasic_linear_solver.hpp"
 #include "synovia/physics/first_approach.hpp"
+#include "synovia/physics/forcing_term.hpp"
 #include "synovia/physics/rigid_freedoms.hpp"
 
 #include <functional>
@@ -22,7 +23,8 @@ struct NonlinearOptions
    int max_augmentations = 30;
    /// Relative accuracy of a linear solve that suffices to see whether the
    /// active set changes; a set that doesn't is then solved to the end. 0
-   /// solves every system to the end at once.
+   /// solves every system to the end at once. In finite deformation systems
+   /// are solved as accurately as ForcingTerm says, unless this is 0.
    mfem::real_t active_set_tolerance = 1e-4;
    LinearOptions linear;
 };
@@ -139,9 +141,23 @@ private:
    /// start where the guess is none or impossible.
    void ChooseStart(Stage &stage);
    void Linearize(const BodyStage &stage);
-   /// Adds the Newton step, or as much of it as bodies can take; fails if that
-   /// is next to nothing.
-   bool TakeStep(const mfem::BlockVector &step, Stage &stage);
+   /// Adds the Newton step and evaluates the contact there. Of nonlinear bodies
+   /// it adds as much as they can take and as doesn't make the residual, of
+   /// which @a norm was the norm, grow; fails if that is next to nothing. With
+   /// the active set as it is, @a residual is that of the new state then.
+   bool TakeStep(const mfem::BlockVector &step, mfem::real_t norm,
+                 const ResidualTolerance &tolerance, Stage &stage,
+                 mfem::BlockVector &residual);
+   void EvaluateContact(const Stage &stage);
+   /// Why the state can't follow one whose residual had this norm; empty if it
+   /// can. Else @a residual is that of the state.
+   std::string FindObstacle(const Stage &stage, mfem::real_t norm,
+                            const ResidualTolerance &tolerance,
+                            mfem::BlockVector &residual);
+   /// Where the forces are least in balance.
+   Point3 WorstPlace(const mfem::BlockVector &residual) const;
+   /// Of the linear system for a residual of this norm.
+   mfem::real_t LinearTarget(mfem::real_t norm, ForcingTerm &forcing) const;
    void Search(const Stage &stage);
    /// Takes the pairs' factors into the Jacobian.
    void UpdateFactors();

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mfem.hpp"
+
+namespace synovia
+{
+
+/// How accurately an inexact Newton method solves its linear systems: as the
+/// residual falls from one iteration to the next (Eisenstat & Walker, SIAM J
+/// Sci Comput 17:16-32, 1996, choice 2), so that no system is solved more
+/// accurately than the next one needs it.
+class ForcingTerm
+{
+public:
+   /// What may be left of the linear residual, as part of @a norm, that of the
+   /// nonlinear one in the state that is linearized.
+   mfem::real_t Next(mfem::real_t norm);
+
+private:
+   /// 0 before the first iteration.
+   mfem::real_t last_norm = 0.0;
+};
+
+} // namespace synovia
