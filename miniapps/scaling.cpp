@@ -15,9 +15,14 @@
 // A quarter is modeled, by hexahedra or tetrahedra whose edges don't match
 // between the layers. Bones are impermeable, rims and surfaces without contact
 // drain freely. With --no-contact a normal traction of 0.1 E presses on the
-// surfaces between the layers instead, which drain. Each step is --step long
+// surfaces between the layers instead, which drain, or, with --compression,
+// these are moved, and layers slide on their bones. Each step is --step long
 // and has the same share of the load, whatever the step. Units are mm, N, s,
 // MPa.
+//
+// With --deformation finite the solid is neo-Hookean and the permeability
+// constant, or, with --law holmes_mow, both are those of Holmes & Mow (beta
+// 0.5, M 2, alpha 2, solid fraction 0.2).
 //
 // Linear systems are solved to --tolerance each, unlike those of other
 // programs, which solve less accurately while the active set changes
@@ -31,6 +36,7 @@
 //   mpirun -np 2 scaling --elements tet --size 10 --solver block_amg
 //   mpirun -np 2 scaling --order 1 --size 24 --csv scaling.csv
 //   scaling --order 3 --size 4 --jump 1e4 --solver block_amg
+//   scaling --no-contact --deformation finite --compression 0.3
 
 #include "synovia/general/option_range.hpp"
 #include "synovia/general/reduce.hpp"
@@ -49,13 +55,16 @@ namespace
 {
 
 constexpr real_t young = 0.5;
-constexpr real_t approach = 0.1;
+constexpr real_t thickness = 1.0;
+constexpr real_t compressed = 0.05;
 constexpr real_t pressed = 0.1;
 
 struct Options
 {
    const char *elements = "hex";
    const char *solver = "auto";
+   const char *deformation = "infinitesimal";
+   const char *law = "neo_hookean";
    const char *csv = "";
    int size = 8;
    int upper_size = 0;
@@ -66,6 +75,7 @@ struct Options
    real_t step = 1.0;
    real_t poisson = 0.1;
    real_t jump = 1.0;
+   real_t compression = 0.0;
    real_t penalty_factor = ContactOptions().penalty_factor;
    real_t tolerance = LinearOptions().relative_tolerance;
    real_t active_set_tolerance = 0.0;
@@ -90,6 +100,13 @@ struct Options
       args.AddOption(&poisson, "-p", "--poisson", "Poisson's ratio.");
       args.AddOption(&jump, "-j", "--jump",
                      "How many times stiffer the upper layer is.");
+      args.AddOption(&deformation, "-d", "--deformation",
+                     "infinitesimal or finite.");
+      args.AddOption(&law, "-l", "--law",
+                     "neo_hookean or holmes_mow, in finite deformation.");
+      args.AddOption(&compression, "-co", "--compression",
+                     "Part of its thickness that a layer loses; 0: 0.05 in "
+                     "contact, else what a pressure makes of it.");
       args.AddOption(&penalty_factor, "-pf", "--penalty-factor",
                      "Factor of both derived penalties.");
       args.AddOption(&contact, "-c", "--contact", "-nc", "--no-contact",
@@ -112,6 +129,8 @@ struct Options
 
    void Verify() const
    {
+      IsFinite();
+      IsHolmesMow();
       VerifyAtLeast("--size", size, 1);
       VerifyAtLeast("--upper-size", upper_size, 0);
       VerifyFrom("--refine", refine, 0, 20);
@@ -121,20 +140,40 @@ struct Options
       VerifyPositive("--permeability", permeability);
       VerifyBetween("--poisson", poisson, -1.0, 0.5);
       VerifyPositive("--jump", jump);
+      VerifyFrom("--compression", compression, 0.0, 0.9);
       VerifyPositive("--penalty-factor", penalty_factor);
       VerifyBetween("--tolerance", tolerance, 0.0, 0.1);
       VerifyFrom("--active-set-tolerance", active_set_tolerance, 0.0, 0.1);
    }
 
+   bool IsFinite() const
+   {
+      return Chosen("--deformation", deformation, "infinitesimal", "finite");
+   }
+
+   bool IsHolmesMow() const
+   {
+      return Chosen("--law", law, "neo_hookean", "holmes_mow");
+   }
+
+   /// Whether the second of two words was given.
+   static bool Chosen(const std::string &option, const std::string &word,
+                      const std::string &first, const std::string &second)
+   {
+      if (word != first && word != second)
+      {
+         throw Error(option + " is " + first + " or " + second + ", not \"" +
+                     word + "\"");
+      }
+      return word == second;
+   }
+
    LayersOptions Layers() const
    {
-      const std::string word = elements;
-      if (word != "hex" && word != "tet")
-      {
-         throw Error("--elements is hex or tet, not \"" + word + "\"");
-      }
       LayersOptions layers;
-      layers.type = word == "hex" ? Element::HEXAHEDRON : Element::TETRAHEDRON;
+      layers.type = Chosen("--elements", elements, "hex", "tet")
+                       ? Element::TETRAHEDRON
+                       : Element::HEXAHEDRON;
       layers.lower_cells = size;
       layers.upper_cells =
          upper_size != 0 ? upper_size : static_cast<int>((3LL * size + 2) / 4);
@@ -158,16 +197,24 @@ class Joint
 {
 public:
    Joint(const Options &options, NamedMesh &mesh)
-      : lower(young, options.poisson),
-        upper(young * options.jump, options.poisson),
-        permeability(options.permeability), problem(mesh, Space(options))
+      : lower(MakeSolid(options, young)),
+        upper(MakeSolid(options, young * options.jump)),
+        permeability(MakePermeability(options)), problem(mesh, Space(options))
    {
       const real_t end = options.Times().end;
-      problem.SetMaterial("lower", lower, permeability);
-      problem.SetMaterial("upper", upper, permeability);
-      problem.FixDisplacement("lower_bone");
-      problem.PrescribeDisplacement("upper_bone", 0, 0.0);
-      problem.PrescribeDisplacement("upper_bone", 1, 0.0);
+      problem.SetMaterial("lower", *lower, *permeability);
+      problem.SetMaterial("upper", *upper, *permeability);
+      // Squeezed alone, layers slide on their bones: where they were fixed, the
+      // rims' corners would fold.
+      if (options.contact || !(options.compression > 0.0))
+      {
+         for (const int sideways : {0, 1})
+         {
+            problem.PrescribeDisplacement("lower_bone", sideways, 0.0);
+            problem.PrescribeDisplacement("upper_bone", sideways, 0.0);
+         }
+      }
+      problem.PrescribeDisplacement("lower_bone", 2, 0.0);
       problem.PrescribeDisplacement("symmetry_x", 0, 0.0);
       problem.PrescribeDisplacement("symmetry_y", 1, 0.0);
       problem.PrescribePressure("rims", 0.0);
@@ -175,14 +222,28 @@ public:
       {
          ContactOptions contact;
          contact.penalty_factor = options.penalty_factor;
+         const real_t lost =
+            options.compression > 0.0 ? options.compression : compressed;
+         const real_t approach = 2.0 * lost * thickness;
          problem.PrescribeDisplacement("upper_bone", 2, Ramp(end, -approach));
          problem.AddContact("upper_contact", "lower_contact", contact);
       }
       else
       {
          problem.PrescribeDisplacement("upper_bone", 2, 0.0);
-         Press("lower_contact", pressed * young, end);
-         Press("upper_contact", pressed * young * options.jump, end);
+         problem.PrescribePressure("lower_contact", 0.0);
+         problem.PrescribePressure("upper_contact", 0.0);
+         const real_t lost = options.compression * thickness;
+         if (lost > 0.0)
+         {
+            problem.PrescribeDisplacement("lower_contact", 2, Ramp(end, -lost));
+            problem.PrescribeDisplacement("upper_contact", 2, Ramp(end, lost));
+         }
+         else
+         {
+            Press("lower_contact", pressed * young, end);
+            Press("upper_contact", pressed * young * options.jump, end);
+         }
       }
       NonlinearOptions nonlinear;
       nonlinear.active_set_tolerance = options.active_set_tolerance;
@@ -197,18 +258,49 @@ private:
    {
       SpaceOptions space;
       space.order = options.order;
+      space.deformation =
+         options.IsFinite() ? Deformation::finite : Deformation::infinitesimal;
       return space;
+   }
+
+   static std::unique_ptr<SolidLaw> MakeSolid(const Options &options,
+                                              real_t modulus)
+   {
+      if (!options.IsFinite())
+      {
+         return std::make_unique<IsotropicElastic>(modulus, options.poisson);
+      }
+      if (options.IsHolmesMow())
+      {
+         constexpr real_t beta = 0.5;
+         return std::make_unique<HolmesMow>(modulus, options.poisson, beta);
+      }
+      return std::make_unique<NeoHookean>(modulus, options.poisson);
+   }
+
+   static std::unique_ptr<PermeabilityLaw>
+   MakePermeability(const Options &options)
+   {
+      const real_t value = options.permeability;
+      if (options.IsFinite() && options.IsHolmesMow())
+      {
+         constexpr real_t m = 2.0;
+         constexpr real_t alpha = 2.0;
+         constexpr real_t solid_fraction = 0.2;
+         return std::make_unique<HolmesMowPermeability>(value, m, alpha,
+                                                        solid_fraction);
+      }
+      return std::make_unique<ConstantPermeability>(value);
    }
 
    void Press(const std::string &surface, real_t pressure, real_t end)
    {
       problem.AddNormalTraction(surface, Ramp(end, -pressure));
-      problem.PrescribePressure(surface, 0.0);
    }
 
-   IsotropicElastic lower;
-   IsotropicElastic upper;
-   ConstantPermeability permeability;
+   std::unique_ptr<SolidLaw> lower;
+   std::unique_ptr<SolidLaw> upper;
+   std::unique_ptr<PermeabilityLaw> permeability;
    BiphasicProblem problem;
 };
 
@@ -261,6 +353,9 @@ void AddOptions(const Options &options, CsvRow &row)
    row.Add("jump", options.jump);
    row.Add("penalty_factor", options.penalty_factor);
    row.Add("contact", options.contact ? 1 : 0);
+   row.Add("deformation", options.deformation);
+   row.Add("law", options.IsFinite() ? options.law : "linear");
+   row.Add("compression", options.compression);
    row.Add("tolerance", options.tolerance);
    row.Add("active_set_tolerance", options.active_set_tolerance);
 }

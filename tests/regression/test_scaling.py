@@ -21,6 +21,8 @@ sys.dont_write_bytecode = True
 
 from program_checks import MPIEXEC, PROGRAMS, check, finish  # noqa: E402
 
+# columns that are no numbers
+WORDS = ("elements", "solver", "deformation", "law", "reason")
 SIZE, UPPER = 3, 2    # cells along an edge; 2 and 1 through the thickness
 
 
@@ -60,8 +62,7 @@ class Runs:
             if f"{name:22}{value}" not in result.stdout:
                 check(False, f"{name} = {value} is printed")
         return {name: float(value) for name, value in row.items()
-                if name not in ("elements", "solver", "reason")} | {
-                    "solver": row["solver"]}
+                if name not in WORDS} | {"solver": row["solver"]}
 
 
 def check_row(row: dict, ranks: int) -> None:
@@ -149,8 +150,42 @@ def check_iterations(run: Runs) -> None:
               f"{row['most_linear']:.0f} iterations")
 
 
+def check_finite(run: Runs) -> None:
+    """A third of the thickness lost in two steps, in either theory."""
+    squeeze = ["--size", "4", "--no-contact", "--compression", "0.3",
+               "--solver", "block_amg"]
+    linear = run(1, *squeeze)
+    for law in ("neo_hookean", "holmes_mow"):
+        finite = ["--deformation", "finite", "--law", law]
+        forces = []
+        for ranks, solver in ((1, "block_amg"), (2, "block_amg"),
+                              (1, "direct")):
+            row = run(ranks, *squeeze, *finite, "--solver", solver)
+            check(row["converged"] == 1, f"{law} by {solver} converged")
+            check(row["newton"] <= 5 * row["steps"],
+                  f"{law}: {row['newton']:.0f} Newton iterations")
+            check(1 < row["assemblies"] <= row["newton"] + row["steps"] + 1,
+                  "at most one tangent an iteration, and one a step")
+            if solver == "direct":
+                check(row["factorisations"] < 0.5 * row["newton"],
+                      f"{row['factorisations']:.0f} factorizations serve "
+                      f"{row['newton']:.0f} iterations")
+            else:
+                check(row["setups"] < 2 * row["newton"],
+                      f"{row['setups']:.0f} hierarchies")
+            forces.append(row["force"])
+        change = max(abs(force / forces[0] - 1.0) for force in forces)
+        check(change < 1e-5, f"{law}: forces differ by {change:.0e}")
+        check(forces[0] > 1.3 * linear["force"] > 0,
+              f"{forces[0]:.3f} N, in infinitesimal strain "
+              f"{linear['force']:.3f} N")
+
+
 def check_errors(run: Runs) -> None:
     for arguments, word in ((["--elements", "prism"], "hex or tet"),
+                            (["--deformation", "small"], "or finite"),
+                            (["--law", "hooke"], "or holmes_mow"),
+                            (["--compression", "1"], "--compression is 1"),
                             (["--size", "0"], "--size is 0; it must"),
                             (["--steps", "0"], "--steps"),
                             (["--solver", "magic"], "block_amg"),
@@ -168,6 +203,7 @@ def main() -> None:
         check_orders(run)
         check_options(run)
         check_iterations(run)
+        check_finite(run)
         check_hierarchy(run)
         check_errors(run)
     finish()
