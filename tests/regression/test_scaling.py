@@ -151,32 +151,34 @@ def check_iterations(run: Runs) -> None:
 
 
 def check_finite(run: Runs) -> None:
-    """A third of the thickness lost in two steps, in either theory."""
+    """30 % of the thickness lost in four steps, in either theory."""
     squeeze = ["--size", "4", "--no-contact", "--compression", "0.3",
-               "--solver", "block_amg"]
-    linear = run(1, *squeeze)
+               "--steps", "4"]
+    linear = run(1, *squeeze, "--solver", "block_amg")
     for law in ("neo_hookean", "holmes_mow"):
         finite = ["--deformation", "finite", "--law", law]
         forces = []
-        for ranks, solver in ((1, "block_amg"), (2, "block_amg"),
-                              (1, "direct")):
-            row = run(ranks, *squeeze, *finite, "--solver", solver)
-            check(row["converged"] == 1, f"{law} by {solver} converged")
-            check(row["newton"] <= 5 * row["steps"],
+        for ranks in (1, 2):
+            row = run(ranks, *squeeze, *finite, "--solver", "block_amg")
+            check(row["steps"] == 4 and row["newton"] <= 16,
                   f"{law}: {row['newton']:.0f} Newton iterations")
-            check(1 < row["assemblies"] <= row["newton"] + row["steps"] + 1,
-                  "at most one tangent an iteration, and one a step")
-            if solver == "direct":
-                check(row["factorisations"] < 0.5 * row["newton"],
-                      f"{row['factorisations']:.0f} factorizations serve "
-                      f"{row['newton']:.0f} iterations")
-            else:
-                check(row["setups"] < 2 * row["newton"],
-                      f"{row['setups']:.0f} hierarchies")
+            check(row["mean_linear"] <= 1.3 * linear["mean_linear"],
+                  f"{row['mean_linear']:.1f} iterations, in infinitesimal "
+                  f"strain {linear['mean_linear']:.1f}")
+            check(row["setups"] < row["newton"],
+                  f"{row['setups']:.0f} hierarchies")
             forces.append(row["force"])
+        row = run(1, *squeeze, *finite, "--solver", "direct",
+                  "--active-set-tolerance", "1e-4")
+        check(row["steps"] == 4 and row["newton"] <= 16,
+              f"{row['newton']:.0f} Newton iterations with inexact systems")
+        check(row["assemblies"] <= row["newton"] + 1, "a tangent in each")
+        check(row["factorisations"] <= 0.25 * row["newton"],
+              f"{row['factorisations']:.0f} factorizations")
+        forces.append(row["force"])
         change = max(abs(force / forces[0] - 1.0) for force in forces)
         check(change < 1e-5, f"{law}: forces differ by {change:.0e}")
-        check(forces[0] > 1.3 * linear["force"] > 0,
+        check(forces[0] / linear["force"] > 1.1,
               f"{forces[0]:.3f} N, in infinitesimal strain "
               f"{linear['force']:.3f} N")
 
