@@ -255,6 +255,38 @@ void BiphasicOperator::Search(const Stage &stage)
    }
 }
 
+void BiphasicOperator::LinearizeContact(const Stage &stage)
+{
+   const PhaseTimer timer(times.assembly);
+   bool changed = false;
+   for (ContactPair *pair : pairs)
+   {
+      changed = pair->Linearize(stage.p) || changed;
+   }
+   if (changed)
+   {
+      UpdateFactors();
+      linear->ContactMoved();
+   }
+}
+
+bool BiphasicOperator::SearchDrifted(Stage &stage)
+{
+   bool drifted = false;
+   for (const ContactPair *pair : pairs)
+   {
+      drifted = pair->HasDrifted() || drifted;
+   }
+   if (drifted)
+   {
+      Search(stage);
+      EvaluateContact(stage);
+      UpdateContact(stage);
+      UpdateDrainedDofs(stage);
+   }
+   return drifted;
+}
+
 void BiphasicOperator::UpdateFactors()
 {
    for (std::size_t i = 0; i < pairs.size(); i++)
@@ -392,7 +424,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    ResidualTolerance tolerance = Tolerance(stage);
    for (int augmentation = 0;; augmentation++)
    {
-      if (!SolveContact(stage, tolerance))
+      if (!SolveSliding(stage, tolerance))
       {
          return false;
       }
@@ -456,6 +488,23 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    return true;
 }
 
+bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
+{
+   // Points near an edge may go back and forth.
+   constexpr int most_searches = 3;
+   for (int search = 0;; search++)
+   {
+      if (!SolveContact(stage, tolerance))
+      {
+         return false;
+      }
+      if (search == most_searches || !SearchDrifted(stage))
+      {
+         return true;
+      }
+   }
+}
+
 bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 {
    BlockVector residual(spaces.Offsets());
@@ -491,6 +540,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       {
          Linearize(stage);
       }
+      LinearizeContact(stage);
       StopWatch watch;
       watch.Start();
       const BiphasicLinearSolver::Result result =

@@ -137,6 +137,8 @@ private:
 
    bool SolveStage(Stage &stage);
    bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
+   /// The same with partners where they belong.
+   bool SolveSliding(Stage &stage, ResidualTolerance &tolerance);
    /// Decides what the first iteration linearizes: the guess, or the stage's
    /// start where the guess is none or impossible.
    void ChooseStart(Stage &stage);
@@ -159,6 +161,11 @@ private:
    /// Of the linear system for a residual of this norm.
    mfem::real_t LinearTarget(mfem::real_t norm, ForcingTerm &forcing) const;
    void Search(const Stage &stage);
+   /// Brings the contact's derivatives to the last UpdateContact().
+   void LinearizeContact(const Stage &stage);
+   /// Lets pairs search anew whose points have gone to other partners, and
+   /// evaluates them; says whether any did.
+   bool SearchDrifted(Stage &stage);
    /// Takes the pairs' factors into the Jacobian.
    void UpdateFactors();
    bool UpdateContact(Stage &stage);

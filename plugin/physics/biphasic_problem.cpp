@@ -193,12 +193,6 @@ std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
       return std::make_unique<LinearBodyForm>(spaces, materials,
                                               conditions->Springs());
    }
-   if (!pair_setups.empty())
-   {
-      throw Error(
-         "contact pairs in finite deformation are not there yet; leave "
-         "them out, or take infinitesimal deformation");
-   }
    return std::make_unique<TotalLagrangianForm>(
       mesh, spaces, materials, conditions->Springs(), conditions->Followers());
 }
@@ -213,7 +207,7 @@ BiphasicOperator &BiphasicProblem::Operator()
       {
          pairs.push_back(std::make_unique<ContactPair>(
             setup.name, spaces, materials, setup.source, setup.destination,
-            setup.options));
+            setup.options, deformation));
          borrowed.push_back(pairs.back().get());
       }
       op = std::make_unique<BiphasicOperator>(
