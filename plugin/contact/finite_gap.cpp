@@ -82,7 +82,8 @@ private:
 FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
                      const GapOptions &options)
-   : spaces(destination.Spaces()), pairing(source, destination, options)
+   : spaces(destination.Spaces()), pairing(source, destination, options),
+     rim(destination)
 {
 }
 
@@ -152,13 +153,20 @@ void FiniteGap::Assemble()
       other_gap.AppendTo(1.0, own.vertices, other.displacement, gap_entries);
       other_jump.AppendTo(1.0, own.vertices, other.pressure, jump_entries);
    }
-   operators.area = areas.OverRanks();
-   gap = gaps.OverRanks();
-   present_area = current.OverRanks();
+   const auto gathered = [&](const VertexSums &sums)
+   {
+      Vector all = sums.OverRanks();
+      rim.Gather(all);
+      return all;
+   };
+   rim.Update(pairing, areas.OverRanks());
+   operators.area = gathered(areas);
+   gap = gathered(gaps);
+   present_area = gathered(current);
    for (int d = 0; d < 3; d++)
    {
-      operators.normal_area[d] = normals[d].OverRanks();
-      present_normal_area[d] = present_normals[d].OverRanks();
+      operators.normal_area[d] = gathered(normals[d]);
+      present_normal_area[d] = gathered(present_normals[d]);
    }
    const real_t largest = MaxOverRanks(
       operators.area.Size() > 0 ? operators.area.Max() : 0.0, spaces.GetComm());
@@ -176,6 +184,7 @@ void FiniteGap::Assemble()
       auto matrix = AssembleTriplets(
          spaces.GetComm(), entries, m.Offsets(), m.GlobalSize(),
          columns.GetTrueDofOffsets(), columns.GlobalTrueVSize());
+      rim.Gather(matrix);
       matrix->ScaleRows(inverse_area);
       return matrix;
    };
@@ -225,6 +234,7 @@ void FiniteGap::AssembleCoverage()
       operators.face_coverage.push_back(covered);
    }
    operators.face_size = sizes.OverRanks();
+   rim.Gather(operators.face_size);
    operators.face_size *= inverse_area;
    for (Triplet &entry : entries)
    {

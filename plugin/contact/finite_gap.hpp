@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/contact/rim_vertices.hpp"
 #include "synovia/contact/surface_pairing.hpp"
 
 #include <memory>
@@ -17,9 +18,9 @@ namespace synovia
 /// configuration (SurfaceNormals), x_A where it hits A there; the integrals run
 /// over those material points of B, with their reference areas dA, that hit.
 /// Tractions and fluxes that go with these are nominal, per reference area of
-/// B. Nodal forces act along n on both sides, so that forces and moments are in
-/// balance point by point; they are no gradient of the gap, so that the
-/// derivatives aren't symmetric.
+/// B. phi_j are the functions of RimVertices. Nodal forces act along n on both
+/// sides, so that forces and moments are in balance point by point; they are no
+/// gradient of the gap, so that the derivatives aren't symmetric.
 ///
 /// Vectors have an entry for each vertex of the destination. All members are
 /// collective but those that return what is there.
@@ -70,6 +71,7 @@ private:
 
    BiphasicSpaces &spaces;
    SurfacePairing pairing;
+   RimVertices rim;
    GapOperators operators;
    mfem::Vector gap;
    /// 1 / a_j, 0 where nothing is hit.

@@ -186,6 +186,8 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
    Vector flux(nodal_flow);
    traction *= inverse_area;
    flux *= inverse_area;
+   rim.Spread(traction);
+   rim.Spread(flux);
    traction = m.Share(traction);
    flux = m.Share(flux);
 
@@ -222,6 +224,7 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
    {
       auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(), u, normals,
                                     *normals_change);
+      rim.Gather(matrix);
       matrix->ScaleRows(inverse_area);
       return matrix;
    };

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "synovia/contact/surface_pairing.hpp"
+
+#include <memory>
+
+namespace synovia
+{
+
+/// Vertices of the destination at the rim of the source, of whose surroundings
+/// it covers but a sliver, without multipliers of their own: on the sliver
+/// their shape functions go to the covered vertices around, each by as much as
+/// both overlap there. So the functions that multipliers have go on adding up
+/// to one wherever the source covers the destination, and a vertex that slides
+/// over the rim bears no needle of traction on its way out.
+class RimVertices
+{
+public:
+   /// Borrows the surface.
+   explicit RimVertices(const ContactSurface &destination);
+
+   /// Finds them, for the points of @a pairing and the areas around vertices
+   /// that these make up. Collective.
+   void Update(const SurfacePairing &pairing, const mfem::Vector &covered_area);
+
+   /// Gives sums over shape functions (an entry, or a row, a vertex) those of
+   /// the functions of multipliers, zero at the rim. Collective.
+   void Gather(mfem::Vector &sums) const;
+   void Gather(std::unique_ptr<mfem::HypreParMatrix> &sums) const;
+   /// The other way: gives the rim's vertices what those around have.
+   /// Collective.
+   void Spread(mfem::Vector &values) const;
+
+private:
+   const ContactSurface &destination;
+   mfem::Vector whole_area;
+   /// Functions of multipliers x shape functions; null where both are the same.
+   std::unique_ptr<mfem::HypreParMatrix> gathering;
+};
+
+} // namespace synovia
