@@ -95,6 +95,7 @@ real_t AugmentedLagrangian::TouchingGap() const
 bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
 {
    const Vector &area = constraint.Coverage().area;
+   const Vector &own_area = constraint.Coverage().own_area;
    const Vector &penalty = penalties.Gap();
    const Vector &resistance = penalties.Resistance();
    const real_t touching = rule == TouchRule::nearness
@@ -115,7 +116,8 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
          area[j] > 0.0 &&
          (FrictionlessLaw::Bears(trial) || state.gap[j] <= touching ||
           (phase == Phase::augmentation && before.touches));
-      vertex.seals = area[j] > sealing_coverage * vertex_areas[j] &&
+      vertex.seals = area[j] > 0.0 &&
+                     own_area[j] > sealing_coverage * vertex_areas[j] &&
                      (vertex.touches || state.gap[j] < gap_tolerance ||
                       (before.seals && before.seal_broke));
       vertex.seal_broke = before.seal_broke || (before.seals && !vertex.seals);

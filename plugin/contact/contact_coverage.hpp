@@ -28,6 +28,9 @@ struct ContactCoverage
    std::unique_ptr<mfem::HypreParMatrix> coverage;
    /// a_j = int phi_j (area), 0 where the vertex sees nothing.
    mfem::Vector area;
+   /// The same of the vertex's own shape function, where phi_j is more than
+   /// that (RimVertices).
+   mfem::Vector own_area;
    /// int phi_j n, by component (area).
    std::array<mfem::Vector, 3> normal_area;
    /// Mean size of the destination faces around a vertex (length).

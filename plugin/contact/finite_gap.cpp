@@ -159,7 +159,8 @@ void FiniteGap::Assemble()
       rim.Gather(all);
       return all;
    };
-   rim.Update(pairing, areas.OverRanks());
+   operators.own_area = areas.OverRanks();
+   rim.Update(pairing, operators.own_area);
    operators.area = gathered(areas);
    gap = gathered(gaps);
    present_area = gathered(current);

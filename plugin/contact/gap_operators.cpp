@@ -327,6 +327,7 @@ GapOperators GapAssembler::Finish()
    ParFiniteElementSpace &p = spaces.Pressure();
    GapOperators operators;
    operators.area = m.SumShared(area);
+   operators.own_area = operators.area;
    operators.gap_offset = m.SumShared(offset);
    operators.face_size = m.SumShared(face_size);
    operators.face_coverage = std::move(face_coverage);

@@ -36,6 +36,7 @@ public:
    {
       coverage.area.SetSize(vertices);
       coverage.area = area;
+      coverage.own_area = coverage.area;
       coverage.face_size.SetSize(vertices);
       coverage.face_size = face_size;
    }
