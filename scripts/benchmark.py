@@ -39,7 +39,7 @@ from report_page import Page, svg  # noqa: E402
 COLUMNS = (("dofs", "unknowns"), ("newton", "Newton"),
            ("augmentations", "augmentations"), ("linear", "linear"),
            ("most_linear", "most"), ("mean_linear", "mean"),
-           ("setups", "set-ups"), ("factorisations", "factorisations"),
+           ("setups", "set-ups"), ("factorisations", "factorizations"),
            ("seconds_total", "s"), ("dofs_per_second", "unknowns / s"),
            ("memory_sum", "MiB"))
 TITLES = {"size": "Size and order", "permeability": "Permeability",

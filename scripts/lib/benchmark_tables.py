@@ -50,7 +50,7 @@ def febio_table(measure: Benchmark) -> Table:
                      f"{cost.seconds:.2g} s",
                      f"{other.newton} and {cost.total('newton')}",
                      f"{other.factorizations} and "
-                     f"{cost.total('factorizations')}",
+                     f"{cost.total('factorisations')}",
                      f"{other.memory} and 2 x {cost.memory:.0f} MB"))
     return Table("febio", ("", "FEBio", "Synovia", "Newton iterations",
                            "factorizations", "memory"), tuple(rows))

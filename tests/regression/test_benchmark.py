@@ -38,7 +38,7 @@ if jump == 10.0:
 if jump == 1000.0:
     os.abort()
 names = ("dofs newton augmentations linear most_linear mean_linear setups "
-         "factorizations seconds_assembly seconds_search seconds_setup "
+         "factorisations seconds_assembly seconds_search seconds_setup "
          "seconds_solve seconds_total dofs_per_second memory_sum").split()
 row = {name: 10 + len(name) for name in names}
 row |= {"dofs": int(options["--size"]) ** 3, "ranks": ranks, "converged": 1,

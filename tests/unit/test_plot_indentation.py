@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 
+import matplotlib.image
 import numpy as np
 from matplotlib.collections import LineCollection
 
