@@ -76,8 +76,8 @@ Row Record(PressedBox &box, TimeStepper &stepper, int failures)
    row.time = stepper.Time();
    row.failures = failures;
    row.state = stepper.State();
-   row.traction = box.Pair().Traction();
-   row.status = box.Pair().Status();
+   row.traction = box.Pair().State().traction;
+   row.status = box.Pair().State().Touching();
    row.force = box.Force();
    return row;
 }
@@ -222,8 +222,8 @@ TEST_CASE("A failed step that is not cut leaves everything as it was")
       {
          CHECK(failed.time == rows.back().time);
          CheckSame(stepper.State(), rows.back().state);
-         CheckSame(box.Pair().Traction(), rows.back().traction);
-         CheckSame(box.Pair().Status(), rows.back().status);
+         CheckSame(box.Pair().State().traction, rows.back().traction);
+         CheckSame(box.Pair().State().Touching(), rows.back().status);
          CHECK(box.Force()[2] == rows.back().force[2]);
       }
       REQUIRE(stepper.Step().converged);
