@@ -1,5 +1,6 @@
 #include "synovia/cases/case_keys.hpp"
 #include "synovia/cases/law_keys.hpp"
+#include "synovia/cases/tuning_keys.hpp"
 
 namespace synovia
 {
@@ -277,6 +278,8 @@ KeyTable SolverKeys(NonlinearOptions &solver)
              "accuracy that suffices to find the active set; 0 solves every "
              "system to the end")
       .From(0.0, 0.1);
+   keys.Table("tuning", TuningKeys(solver.tuning),
+              "measured constants of the solvers");
    return keys;
 }
 

@@ -72,7 +72,8 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                      contact.Name(), spaces, problem.Get().Materials(),
                      Attributes(mesh, contact.source),
                      Attributes(mesh, contact.destination), contact.options,
-                     problem.Get().GetDeformation()));
+                     problem.Get().GetDeformation(),
+                     setup.solver.tuning.contact));
                   borrowed.push_back(pairs.back().get());
                   borrowed.back()->SearchReference();
                });

@@ -12,20 +12,14 @@ namespace synovia
 
 using namespace mfem;
 
-namespace
-{
-// A destination vertex seals only where the source covers it all around: one at
-// the rim of the source touches the free-draining surface, where p = 0.
-constexpr real_t sealing_coverage = 0.75;
-} // namespace
-
 AugmentedLagrangian::AugmentedLagrangian(ContactConstraint &constraint_,
                                          const ContactSurface &destination_,
                                          const Vector &vertex_areas_,
                                          const ContactScales &scales,
-                                         const ContactOptions &options_)
+                                         const ContactOptions &options_,
+                                         const ContactTuning &tuning_)
    : constraint(constraint_), destination(destination_),
-     vertex_areas(vertex_areas_), options(options_),
+     vertex_areas(vertex_areas_), options(options_), tuning(tuning_),
      gap_tolerance(scales.gap_tolerance), pressure_held(vertex_areas.Size()),
      penalties(options, scales, vertex_areas), state(vertex_areas.Size()),
      accepted(state)
@@ -68,7 +62,8 @@ void AugmentedLagrangian::StartStage(real_t time)
       vertex.seal_broke = false;
    }
    phase = Phase::prediction;
-   state.history.Predict(time, state.multiplier, state.flux_multiplier);
+   state.history.Predict(time, tuning.prediction_reach, state.multiplier,
+                         state.flux_multiplier);
 }
 
 void AugmentedLagrangian::Evaluate(const Vector &u, const Vector &p)
@@ -117,7 +112,7 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
          (FrictionlessLaw::Bears(trial) || state.gap[j] <= touching ||
           (phase == Phase::augmentation && before.touches));
       vertex.seals = area[j] > 0.0 &&
-                     own_area[j] > sealing_coverage * vertex_areas[j] &&
+                     own_area[j] > tuning.sealing_coverage * vertex_areas[j] &&
                      (vertex.touches || state.gap[j] < gap_tolerance ||
                       (before.seals && before.seal_broke));
       vertex.seal_broke = before.seal_broke || (before.seals && !vertex.seals);
@@ -190,18 +185,14 @@ void AugmentedLagrangian::TakeMultipliers()
 bool AugmentedLagrangian::StiffenIfSlow(const ContactViolations &violations,
                                         real_t peak_pressure)
 {
-   // What an augmentation should at least do (Simo & Laursen, Comput Struct
-   // 42:97-116, 1992), and how far penalties may go before round-off matters.
-   constexpr real_t slow = 0.25;
-   constexpr real_t raise = 10.0;
-   constexpr real_t most = 1e4;
    bool raised = false;
    const auto check =
       [&](real_t value, real_t tolerance, real_t &last_value, real_t &factor)
    {
-      if (value > tolerance && value > slow * last_value && factor < most)
+      if (value > tolerance && value > tuning.slow_augmentation * last_value &&
+          factor < tuning.largest_stiffening)
       {
-         factor *= raise;
+         factor *= tuning.stiffening_factor;
          raised = true;
       }
       last_value = value;

@@ -2,6 +2,7 @@
 
 #include "synovia/contact/contact_constraint.hpp"
 #include "synovia/contact/contact_state.hpp"
+#include "synovia/general/solver_tuning.hpp"
 
 namespace synovia
 {
@@ -42,7 +43,8 @@ public:
                        const ContactSurface &destination,
                        const mfem::Vector &vertex_areas,
                        const ContactScales &scales,
-                       const ContactOptions &options);
+                       const ContactOptions &options,
+                       const ContactTuning &tuning = ContactTuning());
 
    /// Vertices (multiplier true dofs, ascending) whose pressure boundary
    /// conditions hold: no fluid passes those of the destination, as no pressure
@@ -121,6 +123,7 @@ private:
    const ContactSurface &destination;
    const mfem::Vector &vertex_areas;
    ContactOptions options;
+   ContactTuning tuning;
    mfem::real_t gap_tolerance;
    mfem::Array<bool> pressure_held;
    ContactPenalties penalties;

@@ -11,22 +11,17 @@ namespace synovia
 
 using namespace mfem;
 
-namespace
-{
-// A destination vertex of which the source covers less than this is left out:
-// the sliver could bear only a needle of traction.
-constexpr real_t least_coverage = 0.05;
-} // namespace
-
 ContactGeometry::ContactGeometry(const std::string &pair_,
                                  BiphasicSpaces &spaces,
                                  const Array<int> &source_boundary,
                                  const Array<int> &destination_boundary,
                                  const ContactScales &scales,
-                                 const ContactOptions &contact)
+                                 const ContactOptions &contact,
+                                 const ContactTuning &tuning)
    : pair(pair_), comm(spaces.GetComm()), source(spaces, source_boundary),
      destination(spaces, destination_boundary),
-     overlap_limit(scales.overlap_limit), source_areas(NodalAreas(source)),
+     least_coverage(tuning.least_coverage), overlap_limit(scales.overlap_limit),
+     source_areas(NodalAreas(source)),
      destination_areas(NodalAreas(destination))
 {
    const Vector nodes = NodePositions(spaces.Displacement());
@@ -40,6 +35,7 @@ ContactGeometry::ContactGeometry(const std::string &pair_,
    options.search_radius = scales.search_radius;
    options.quadrature_order = contact.quadrature_order;
    options.normal = contact.normal;
+   options.rim_coverage = tuning.rim_coverage;
    int shared = 0;
    for (const int dof : source.Vertices().TrueDofs())
    {

@@ -16,7 +16,8 @@ public:
    ContactGeometry(const std::string &pair, BiphasicSpaces &spaces,
                    const mfem::Array<int> &source_boundary,
                    const mfem::Array<int> &destination_boundary,
-                   const ContactScales &scales, const ContactOptions &options);
+                   const ContactScales &scales, const ContactOptions &options,
+                   const ContactTuning &tuning);
 
    const ContactSurface &Source() const { return source; }
    const ContactSurface &Destination() const { return destination; }
@@ -55,6 +56,7 @@ private:
    ContactSurface source;
    ContactSurface destination;
    GapOptions options;
+   mfem::real_t least_coverage;
    mfem::real_t overlap_limit;
    mfem::Vector source_areas;
    mfem::Vector destination_areas;

@@ -10,9 +10,6 @@ using namespace mfem;
 
 namespace
 {
-// A source vertex is sealed where the contact covers more than this of it.
-constexpr real_t source_coverage = 0.5;
-
 const ContactOptions &Verified(const ContactOptions &options,
                                const std::string &pair)
 {
@@ -38,16 +35,17 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
                          const MaterialTable &materials,
                          const Array<int> &source_boundary,
                          const Array<int> &destination_boundary,
-                         const ContactOptions &options, Deformation deformation)
-   : name(name_),
+                         const ContactOptions &options, Deformation deformation,
+                         const ContactTuning &tuning)
+   : name(name_), source_sealing_coverage(tuning.source_sealing_coverage),
      scales(FindContactScales(name, spaces.GetMesh(), materials,
                               source_boundary, destination_boundary,
                               Verified(options, name))),
      geometry(name, spaces, source_boundary, destination_boundary, scales,
-              options),
+              options, tuning),
      constraint(MakeConstraint(geometry, options, deformation)),
      enforcement(*constraint, geometry.Destination(),
-                 geometry.DestinationAreas(), scales, options)
+                 geometry.DestinationAreas(), scales, options, tuning)
 {
    if (deformation == Deformation::finite &&
        options.normal != ContactNormal::destination)
@@ -108,7 +106,7 @@ void ContactPair::MarkSealed(Vector &sealed) const
    covered.HostRead();
    for (int k = 0; k < covered.Size(); k++)
    {
-      if (covered[k] > 0.0 && covered[k] > source_coverage * areas[k])
+      if (covered[k] > 0.0 && covered[k] > source_sealing_coverage * areas[k])
       {
          sealed[source_dofs[k]] = 1.0;
       }

@@ -29,7 +29,8 @@ public:
                const mfem::Array<int> &source_boundary,
                const mfem::Array<int> &destination_boundary,
                const ContactOptions &options,
-               Deformation deformation = Deformation::infinitesimal);
+               Deformation deformation = Deformation::infinitesimal,
+               const ContactTuning &tuning = ContactTuning());
 
    const std::string &Name() const { return name; }
    const ContactScales &Scales() const { return scales; }
@@ -79,6 +80,7 @@ public:
 
 private:
    std::string name;
+   mfem::real_t source_sealing_coverage;
    ContactScales scales;
    ContactGeometry geometry;
    std::unique_ptr<ContactConstraint> constraint;

@@ -83,7 +83,7 @@ FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
                      const GapOptions &options)
    : spaces(destination.Spaces()), pairing(source, destination, options),
-     rim(destination)
+     rim(destination, options.rim_coverage)
 {
 }
 

@@ -3,6 +3,7 @@
 #include "synovia/contact/contact_coverage.hpp"
 #include "synovia/contact/contact_options.hpp"
 #include "synovia/contact/contact_surface.hpp"
+#include "synovia/general/solver_tuning.hpp"
 
 #include <array>
 #include <memory>
@@ -21,6 +22,8 @@ struct GapOptions
    /// (length).
    mfem::real_t search_radius = 0.0;
    ContactNormal normal = ContactNormal::destination;
+   /// See ContactTuning.
+   mfem::real_t rim_coverage = ContactTuning().rim_coverage;
 };
 
 /// The weighted gap and pressure jump between two surfaces, linear in the

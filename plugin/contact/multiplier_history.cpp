@@ -17,15 +17,13 @@ void MultiplierHistory::Store(real_t now, const Vector &traction_,
    flux[1] = flux_;
 }
 
-void MultiplierHistory::Predict(real_t then, Vector &traction_,
+void MultiplierHistory::Predict(real_t then, real_t reach, Vector &traction_,
                                 Vector &flux_) const
 {
-   // Beyond one and a half times the last interval a line says little.
-   constexpr real_t farthest = 1.5;
    const real_t interval = time[1] - time[0];
    const real_t ahead = then - time[1];
    const real_t s =
-      interval > 0.0 && ahead <= farthest * interval ? ahead / interval : 0.0;
+      interval > 0.0 && ahead <= reach * interval ? ahead / interval : 0.0;
    add(1.0 + s, traction[1], -s, traction[0], traction_);
    add(1.0 + s, flux[1], -s, flux[0], flux_);
    for (int j = 0; j < traction_.Size(); j++)

@@ -14,9 +14,10 @@ struct MultiplierHistory
    /// Keeps the multipliers as those reached at @a now.
    void Store(mfem::real_t now, const mfem::Vector &traction_,
               const mfem::Vector &flux_);
-   /// Extrapolates to time @a then, as far as there are two to go on from; no
+   /// Extrapolates to time @a then, up to @a reach times the last interval
+   /// ahead; farther, or from one time only, it takes the last multipliers. No
    /// traction becomes tensile.
-   void Predict(mfem::real_t then, mfem::Vector &traction_,
+   void Predict(mfem::real_t then, mfem::real_t reach, mfem::Vector &traction_,
                 mfem::Vector &flux_) const;
    /// Leaves one time to predict from: multipliers will change otherwise than
    /// they did.

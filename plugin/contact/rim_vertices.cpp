@@ -11,9 +11,6 @@ using namespace mfem;
 
 namespace
 {
-// Less than what meshes that end together at a straight rim cover.
-constexpr real_t sliver = 0.4;
-
 /// int phi_i phi_j over what the points of a destination face stand for.
 struct FaceOverlap
 {
@@ -43,8 +40,10 @@ std::vector<FaceOverlap> FaceOverlaps(const SurfacePairing &pairing)
 }
 } // namespace
 
-RimVertices::RimVertices(const ContactSurface &destination_)
-   : destination(destination_), whole_area(NodalAreas(destination))
+RimVertices::RimVertices(const ContactSurface &destination_,
+                         real_t rim_coverage_)
+   : destination(destination_), rim_coverage(rim_coverage_),
+     whole_area(NodalAreas(destination))
 {
 }
 
@@ -57,7 +56,7 @@ void RimVertices::Update(const SurfacePairing &pairing,
    Vector at_rim(m.Size());
    for (int j = 0; j < at_rim.Size(); j++)
    {
-      const bool little = covered_area[j] < sliver * whole_area[j];
+      const bool little = covered_area[j] < rim_coverage * whole_area[j];
       at_rim[j] = covered_area[j] > 0.0 && little ? 1.0 : 0.0;
    }
    if (!AnyRank(at_rim.Size() > 0 && at_rim.Max() > 0.0, comm))

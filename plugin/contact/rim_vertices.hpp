@@ -16,8 +16,9 @@ namespace synovia
 class RimVertices
 {
 public:
-   /// Borrows the surface.
-   explicit RimVertices(const ContactSurface &destination);
+   /// Borrows the surface. A vertex belongs to the rim if the source covers
+   /// less than this part of it.
+   RimVertices(const ContactSurface &destination, mfem::real_t rim_coverage);
 
    /// Finds them, for the points of @a pairing and the areas around vertices
    /// that these make up. Collective.
@@ -33,6 +34,7 @@ public:
 
 private:
    const ContactSurface &destination;
+   mfem::real_t rim_coverage;
    mfem::Vector whole_area;
    /// Functions of multipliers x shape functions; null where both are the same.
    std::unique_ptr<mfem::HypreParMatrix> gathering;

@@ -241,13 +241,11 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::PressureBlock() const
 }
 
 std::unique_ptr<HypreParMatrix>
-BiphasicJacobian::SchurComplement(const Array<int> &dofs) const
+BiphasicJacobian::SchurComplement(const Array<int> &dofs,
+                                  real_t compliance) const
 {
-   // B K^-1 B^T is at most M / H_A, which it is where nothing can give way
-   // sideways, and less the freer the body.
-   constexpr real_t typical = 0.6;
    std::unique_ptr<HypreParMatrix> schur(
-      Add(1.0, *flow, typical, *matrices.compliance));
+      Add(1.0, *flow, compliance, *matrices.compliance));
    schur->EliminateBC(dofs, DIAG_ONE);
    return schur;
 }

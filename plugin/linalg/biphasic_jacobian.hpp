@@ -51,9 +51,9 @@ public:
 
    /// dt L + S + c M / H_A with unit rows and columns for some @a dofs: an
    /// approximation of the Schur complement, less its sign, but for the
-   /// contact.
+   /// contact. c is @a compliance: B K^-1 B^T is at most M / H_A.
    std::unique_ptr<mfem::HypreParMatrix>
-   SchurComplement(const mfem::Array<int> &dofs) const;
+   SchurComplement(const mfem::Array<int> &dofs, mfem::real_t compliance) const;
 
    /// Weights by true dof of the pressure that, on the diagonal, hold it at
    /// zero for all that a preconditioner needs. They depend on the time step.

@@ -63,29 +63,31 @@ real_t MeanDiagonal(const HypreParMatrix &matrix)
 } // namespace
 
 LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-                          const ModuliRatios &moduli)
+                          const ModuliRatios &moduli,
+                          const FactorizationTuning &tuning)
 {
    if (options.method != LinearMethod::automatic)
    {
       return options.method;
    }
-   // Multigrid then takes two or three times as many iterations.
-   constexpr real_t stiff_fibers = 100.0;
-   const int more = moduli.anisotropy > stiff_fibers ? 2 : 1;
+   const int more = moduli.anisotropy > tuning.stiff_fibers ? 2 : 1;
    return dofs <= more * options.direct_below ? LinearMethod::direct
                                               : LinearMethod::block_amg;
 }
 
 BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
                                            BiphasicSpaces &spaces,
-                                           const LinearOptions &options_)
+                                           const LinearOptions &options_,
+                                           const SolverTuning &tuning_)
    : jacobian(jacobian_), comm(spaces.GetComm()), options(options_),
+     tuning(tuning_),
      force_per_volume(std::sqrt(MeanDiagonal(*jacobian.Volume().stiffness) /
                                 MeanDiagonal(*jacobian.Volume().compliance)))
 {
    const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
                              spaces.Pressure().GlobalTrueVSize();
-   options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli);
+   options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli,
+                                 tuning.factorization);
    if (options.method == LinearMethod::direct || !jacobian.Contact().empty())
    {
       VerifyDirectLibrary(options.direct.library, comm);
@@ -101,10 +103,11 @@ BiphasicLinearSolver::MakePreconditioner() const
    if (options.method == LinearMethod::direct)
    {
       return std::make_unique<DirectPreconditioner>(
-         jacobian, comm, options.renew_after, options.direct);
+         jacobian, comm, options.renew_after, options.direct,
+         tuning.factorization);
    }
-   return std::make_unique<BlockAmgPreconditioner>(jacobian, comm,
-                                                   options.direct);
+   return std::make_unique<BlockAmgPreconditioner>(
+      jacobian, comm, options.direct, tuning.multigrid);
 }
 
 WorkCounts BiphasicLinearSolver::Work() const
@@ -159,7 +162,7 @@ BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
    ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
                                       1.0 / pressure_scale);
    FGMRESSolver solver(comm);
-   solver.SetKDim(100);
+   solver.SetKDim(tuning.multigrid.restart);
    solver.SetRelTol(0.0);
    solver.SetAbsTol(target * tolerance.momentum);
    solver.SetPrintLevel(IterativeSolver::PrintLevel().None());

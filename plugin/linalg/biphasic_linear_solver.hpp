@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/general/solver_tuning.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
 #include "synovia/linalg/direct_solver.hpp"
 #include "synovia/linalg/work_counts.hpp"
@@ -24,8 +25,8 @@ struct LinearOptions
    LinearMethod method = LinearMethod::automatic;
    mfem::real_t relative_tolerance = 1e-8;
    int max_iterations = 300;
-   /// Automatic: up to this many dofs, direct; up to twice as many where fibers
-   /// are much stiffer than what is between them.
+   /// Automatic: up to this many dofs, direct; up to twice as many with fibers
+   /// as stiff as FactorizationTuning::stiff_fibers.
    HYPRE_BigInt direct_below = 250000;
    /// A kept factorization is renewed once the solves since took this many
    /// iterations more than they would have taken with a new one: about what a
@@ -38,8 +39,10 @@ struct LinearOptions
 
 /// The method that automatic stands for with so many dofs of all ranks; others
 /// stand for themselves.
-LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-                          const ModuliRatios &moduli);
+LinearMethod
+ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+             const ModuliRatios &moduli,
+             const FactorizationTuning &tuning = FactorizationTuning());
 
 /// One try to solve a system.
 struct SolveAttempt
@@ -99,7 +102,8 @@ public:
    /// Borrows @a jacobian and @a spaces. Throws Error if the library that shall
    /// factorize can't. Collective.
    BiphasicLinearSolver(const BiphasicJacobian &jacobian,
-                        BiphasicSpaces &spaces, const LinearOptions &options);
+                        BiphasicSpaces &spaces, const LinearOptions &options,
+                        const SolverTuning &tuning = SolverTuning());
    ~BiphasicLinearSolver();
 
    void ContactMoved() { preconditioner->ContactMoved(); }
@@ -142,6 +146,7 @@ private:
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    LinearOptions options;
+   SolverTuning tuning;
    mfem::real_t force_per_volume;
    std::unique_ptr<BiphasicPreconditioner> preconditioner;
    /// Of preconditioners that failed.

@@ -78,7 +78,8 @@ std::unique_ptr<HypreBoomerAMG> FlowAmg()
 
 // Measured with miniapps/scaling: half the time of an iteration of MFEM's
 // options for systems, for a tenth more iterations.
-void SmoothOnceEachWay(HypreBoomerAMG &amg, bool tetrahedra)
+void SmoothOnceEachWay(HypreBoomerAMG &amg, bool tetrahedra,
+                       real_t strong_threshold)
 {
    constexpr int gauss_seidel_forward = 13;
    constexpr int gauss_seidel_backward = 14;
@@ -95,40 +96,36 @@ void SmoothOnceEachWay(HypreBoomerAMG &amg, bool tetrahedra)
       HYPRE_BoomerAMGSetNodal(hypre, by_row_sum_norm);
       HYPRE_BoomerAMGSetNodalDiag(hypre, 1);
    }
-   HYPRE_BoomerAMGSetStrongThreshold(hypre, 0.25);
+   HYPRE_BoomerAMGSetStrongThreshold(hypre, strong_threshold);
 }
 
-bool SmoothsWell(const ModuliRatios &moduli)
+bool SmoothsWell(const ModuliRatios &moduli, const MultigridTuning &tuning)
 {
-   // That of a Poisson's ratio of 0.37.
-   constexpr real_t compressible = 5.0;
-   constexpr real_t hardly_anisotropic = 3.0;
-   return moduli.incompressibility < compressible &&
-          moduli.anisotropy < hardly_anisotropic;
+   return moduli.incompressibility < tuning.smooth_incompressibility &&
+          moduli.anisotropy < tuning.smooth_anisotropy;
 }
 
 // Without overlap the filter has half the dofs to solve for, which saves a
 // sixth of the time; but the smoother must be good near the contact, or there
 // are half as many iterations more.
-int Overlap(const VolumeMatrices &matrices)
+int Overlap(const VolumeMatrices &matrices, const MultigridTuning &tuning)
 {
-   return SmoothsWell(matrices.moduli) && matrices.order <= 2 ? 0 : 1;
+   return SmoothsWell(matrices.moduli, tuning) && matrices.order <= 2 ? 0 : 1;
 }
 
-std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
+std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices,
+                                              const MultigridTuning &tuning)
 {
-   // That of a Poisson's ratio of 0.47.
-   constexpr real_t nearly_incompressible = 20.0;
    std::unique_ptr<HypreBoomerAMG> amg = FlowAmg();
    amg->SetSystemsOptions(3, false);
    // The smoother works slowly on what keeps the volume, and across fibers:
    // more of it is less work in all then, and two V-cycles where the solid
    // hardly gives way (30 iterations instead of 45).
-   if (SmoothsWell(matrices.moduli))
+   if (SmoothsWell(matrices.moduli, tuning))
    {
-      SmoothOnceEachWay(*amg, matrices.tetrahedra);
+      SmoothOnceEachWay(*amg, matrices.tetrahedra, tuning.strong_threshold);
    }
-   else if (matrices.moduli.incompressibility > nearly_incompressible)
+   else if (matrices.moduli.incompressibility > tuning.second_cycle)
    {
       amg->SetMaxIter(2);
    }
@@ -138,16 +135,16 @@ std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices)
 
 BlockAmgPreconditioner::BlockAmgPreconditioner(
    const BiphasicJacobian &jacobian_, MPI_Comm comm_,
-   const DirectOptions &options_)
+   const DirectOptions &options_, const MultigridTuning &tuning_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_), options(options_),
+     comm(comm_), options(options_), tuning(tuning_),
      // Under a load, the stiffness of bodies of finite deformation need not be
      // definite.
      kind(jacobian.Volume().symmetric ? MatrixKind::positive_definite
                                       : MatrixKind::symmetric),
      displacement(std::make_unique<FilteredAmg>(
         *jacobian.Volume().stiffness, jacobian.DisplacementDofs(),
-        Overlap(jacobian.Volume()), kind, options))
+        Overlap(jacobian.Volume(), tuning), kind, options))
 {
 }
 
@@ -158,11 +155,9 @@ void BlockAmgPreconditioner::TangentChanged()
 
 void BlockAmgPreconditioner::FollowTangent()
 {
-   // What a new beginning costs, in iterations.
-   constexpr real_t cost = 10.0;
    displacement->Replace(*jacobian.Volume().stiffness,
                          Gaps(jacobian.Contact()));
-   if (extra_iterations > cost)
+   if (extra_iterations > tuning.rebuild_cost)
    {
       built = false;
       moved = true;
@@ -216,16 +211,11 @@ std::vector<Vector> BlockAmgPreconditioner::SoftWeights() const
 
 bool BlockAmgPreconditioner::IsOutdated() const
 {
-   // Building takes as long as 4 to 10 iterations.
-   constexpr int long_enough = 25;
-   constexpr real_t much = 0.2;
-   // Surfaces that slide meet other partners without other weights.
-   constexpr int long_enough_sliding = 120;
-   if (served < long_enough)
+   if (served < tuning.rebuild_after)
    {
       return false;
    }
-   if (moved && served >= long_enough_sliding)
+   if (moved && served >= tuning.rebuild_after_sliding)
    {
       return true;
    }
@@ -239,7 +229,8 @@ bool BlockAmgPreconditioner::IsOutdated() const
       difference += change.Norml1();
       sum += now[i].Norml1();
    }
-   return SumOverRanks(difference, comm) > much * SumOverRanks(sum, comm);
+   return SumOverRanks(difference, comm) >
+          tuning.rebuild_change * SumOverRanks(sum, comm);
 }
 
 void BlockAmgPreconditioner::BuildHierarchy()
@@ -247,7 +238,7 @@ void BlockAmgPreconditioner::BuildHierarchy()
    soft_weights = SoftWeights();
    displacement->ClearHierarchy();
    displacement->SetHierarchy(jacobian.DisplacementBlock(soft_weights),
-                              ElasticityAmg(jacobian.Volume()));
+                              ElasticityAmg(jacobian.Volume(), tuning));
    built = true;
    served = 0;
    fresh_rate = 0.0;
@@ -314,7 +305,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       dt = jacobian.TimeStep();
       p_dofs = always_drained;
       pressure.reset();
-      schur = jacobian.SchurComplement(p_dofs);
+      schur = jacobian.SchurComplement(p_dofs, tuning.schur_compliance);
       pressure = std::make_unique<FilteredAmg>(
          *schur, p_dofs, 1, MatrixKind::positive_definite, options);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),

@@ -24,7 +24,8 @@ public:
    /// Borrows @a jacobian. @a options are those of the filters' exact solves.
    /// Collective.
    BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
-                          const DirectOptions &options);
+                          const DirectOptions &options,
+                          const MultigridTuning &tuning);
 
    void ContactMoved() override;
    void TangentChanged() override;
@@ -45,6 +46,7 @@ private:
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;
    DirectOptions options;
+   MultigridTuning tuning;
    MatrixKind kind;
    bool tangent_changed = false;
    /// Iterations for a tenth of the residual, in the first solve with all that

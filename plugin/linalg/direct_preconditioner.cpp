@@ -13,29 +13,6 @@ using namespace mfem;
 
 namespace
 {
-// Steps within this factor of the one factorized for still share its factors.
-constexpr real_t like_step = 1.2;
-// A weight that differs by more than this part is another one.
-constexpr real_t other_weight = 0.5;
-// A column that differs by less than this part is taken for the one solved for.
-constexpr real_t like_column = 1e-2;
-// Cost of a column among many over that of a solve of its own, as measured for
-// 30,000 to 200,000 unknowns; and how many are solved for at once: their right
-// sides are gathered on one rank.
-constexpr real_t column_cost = 0.1;
-constexpr int batch = 64;
-// Old factors that need more iterations than this will soon be renewed anyway;
-// sooner if partners changed, which each vertex in contact feels.
-constexpr int stale_patience = 12;
-constexpr int moved_patience = 8;
-// More make the dense part of the update slower than a solve.
-constexpr int most_columns = 1000;
-
-bool Differs(real_t a, real_t b)
-{
-   return std::abs(a - b) > other_weight * std::max(a, b);
-}
-
 // Of parts of vectors a and b, adds |a - b|^2 and |b|^2 to @a squares.
 void AddDistance(const SparsePart &a, const SparsePart &b,
                  std::array<real_t, 2> &squares)
@@ -68,15 +45,18 @@ std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
 
 DirectPreconditioner::DirectPreconditioner(const BiphasicJacobian &jacobian_,
                                            MPI_Comm comm_, int renew_after_,
-                                           const DirectOptions &options_)
+                                           const DirectOptions &options_,
+                                           const FactorizationTuning &tuning_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
-     comm(comm_), renew_after(renew_after_), options(options_), update(comm)
+     comm(comm_), renew_after(renew_after_), options(options_), tuning(tuning_),
+     update(comm)
 {
 }
 
-real_t DirectPreconditioner::MostColumns(int renew_after)
+real_t DirectPreconditioner::MostColumns(int renew_after,
+                                         const FactorizationTuning &tuning)
 {
-   return renew_after / column_cost;
+   return renew_after / tuning.column_cost;
 }
 
 void DirectPreconditioner::ContactMoved()
@@ -88,20 +68,22 @@ void DirectPreconditioner::ContactMoved()
 bool DirectPreconditioner::IsLikeFactorized() const
 {
    const real_t now = jacobian.TimeStep();
-   return now <= like_step * dt && dt <= like_step * now;
+   return now <= tuning.like_step * dt && dt <= tuning.like_step * now;
 }
 
 std::vector<DirectPreconditioner::Change>
 DirectPreconditioner::FindChanges() const
 {
    std::vector<Change> mine;
+   const auto differs = [this](real_t a, real_t b)
+   { return std::abs(a - b) > tuning.other_weight * std::max(a, b); };
    const auto compare = [&](const Vector &now, const Vector &then, real_t scale,
                             const HypreParMatrix &operator_, Kind kind,
                             size_t pair)
    {
       for (int j = 0; j < now.Size(); j++)
       {
-         if (Differs(now[j], then[j]))
+         if (differs(now[j], then[j]))
          {
             mine.push_back({{{kind, static_cast<HYPRE_BigInt>(pair),
                               operator_.RowPart()[0] + j}},
@@ -275,11 +257,12 @@ DirectPreconditioner::FindMissing(const std::vector<Change> &changes)
    MPI_Allreduce(MPI_IN_PLACE, distances.data(),
                  2 * static_cast<int>(distances.size()),
                  MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+   const real_t like = tuning.like_column * tuning.like_column;
    std::vector<Key> missing;
    for (size_t i = 0; i < changes.size(); i++)
    {
       if (columns.count(changes[i].key) == 0 ||
-          distances[i][0] > like_column * like_column * distances[i][1])
+          distances[i][0] > like * distances[i][1])
       {
          missing.push_back(changes[i].key);
       }
@@ -289,6 +272,7 @@ DirectPreconditioner::FindMissing(const std::vector<Change> &changes)
 
 void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
 {
+   const size_t batch = tuning.column_batch;
    for (size_t begin = 0; begin < keys.size(); begin += batch)
    {
       const size_t end = std::min(begin + batch, keys.size());
@@ -307,18 +291,18 @@ void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
       }
       factors->ArrayMult(right_sides, solutions);
    }
-   extra_solves += column_cost * keys.size();
+   extra_solves += tuning.column_cost * keys.size();
    work.columns += static_cast<int>(keys.size());
 }
 
 bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
 {
-   if (changes.size() > most_columns)
+   if (changes.size() > static_cast<size_t>(tuning.max_columns))
    {
       return false;
    }
    const std::vector<Key> missing = FindMissing(changes);
-   if (extra_solves + column_cost * missing.size() > renew_after)
+   if (extra_solves + tuning.column_cost * missing.size() > renew_after)
    {
       return false;
    }
@@ -336,7 +320,7 @@ bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
 
 int DirectPreconditioner::Patience() const
 {
-   const int stale = moved ? moved_patience : stale_patience;
+   const int stale = moved ? tuning.moved_patience : tuning.stale_patience;
    return fresh ? renew_after : std::min(renew_after, stale);
 }
 

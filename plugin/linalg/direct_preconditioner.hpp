@@ -22,11 +22,13 @@ class DirectPreconditioner : public BiphasicPreconditioner
 public:
    /// Borrows @a jacobian. Collective.
    DirectPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
-                        int renew_after, const DirectOptions &options);
+                        int renew_after, const DirectOptions &options,
+                        const FactorizationTuning &tuning);
 
    /// How many columns, as long as there are unknowns, may come together until
    /// the factorization is renewed.
-   static mfem::real_t MostColumns(int renew_after);
+   static mfem::real_t MostColumns(int renew_after,
+                                   const FactorizationTuning &tuning);
 
    void ContactMoved() override;
    /// Older factors serve as long as their iterations cost less than new ones.
@@ -77,6 +79,7 @@ private:
    MPI_Comm comm;
    int renew_after;
    DirectOptions options;
+   FactorizationTuning tuning;
    mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;

@@ -60,8 +60,8 @@ BiphasicOperator::BiphasicOperator(
       contact, rigid.Any() ? &rigid : nullptr);
    {
       const PhaseTimer timer(times.setup);
-      linear = std::make_unique<BiphasicLinearSolver>(*jacobian, spaces,
-                                                      options.linear);
+      linear = std::make_unique<BiphasicLinearSolver>(
+         *jacobian, spaces, options.linear, options.tuning);
    }
    if (rigid.Any())
    {
@@ -490,15 +490,14 @@ bool BiphasicOperator::SolveStage(Stage &stage)
 
 bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
 {
-   // Points near an edge may go back and forth.
-   constexpr int most_searches = 3;
    for (int search = 0;; search++)
    {
       if (!SolveContact(stage, tolerance))
       {
          return false;
       }
-      if (search == most_searches || !SearchDrifted(stage))
+      // Points near an edge may go back and forth.
+      if (search == options.tuning.newton.max_searches || !SearchDrifted(stage))
       {
          return true;
       }
@@ -509,7 +508,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 {
    BlockVector residual(spaces.Offsets());
    BlockVector step(spaces.Offsets());
-   ForcingTerm forcing;
+   ForcingTerm forcing(options.tuning.newton);
    bool evaluated = false;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
@@ -613,7 +612,7 @@ real_t BiphasicOperator::LinearTarget(real_t norm, ForcingTerm &forcing) const
       return std::max(1.0, part * norm);
    }
    // What the linear system leaves must not spoil the last iteration.
-   constexpr real_t end = 0.3;
+   const real_t end = options.tuning.newton.final_accuracy;
    const bool inexact = options.active_set_tolerance > 0.0;
    return inexact ? std::max(end, forcing.Next(norm) * norm) : end;
 }
@@ -630,7 +629,7 @@ bool BiphasicOperator::TakeStep(const BlockVector &step, real_t norm,
                                 const ResidualTolerance &tolerance,
                                 Stage &stage, BlockVector &residual)
 {
-   constexpr real_t least_share = 1.0 / 16.0;
+   const real_t least_share = options.tuning.newton.shortest_step;
    // From the stage's start the step and the supports' increments go together,
    // and what there was is no measure for what there will be.
    const bool whole = stage.from_start;
@@ -660,8 +659,7 @@ std::string BiphasicOperator::FindObstacle(const Stage &stage, real_t norm,
 {
    // Newton's method may have to climb a little before it falls; what is next
    // to the tolerance is round-off.
-   constexpr real_t most_growth = 2.0;
-   constexpr real_t small = 10.0;
+   const NewtonTuning &tuning = options.tuning.newton;
    const std::string impossible = bodies->Validate(stage);
    if (!impossible.empty())
    {
@@ -674,7 +672,7 @@ std::string BiphasicOperator::FindObstacle(const Stage &stage, real_t norm,
    }
    ComputeResidual(stage, residual);
    const real_t now = linear->Norm(residual, tolerance);
-   if (now <= std::max(small, most_growth * norm))
+   if (now <= std::max(tuning.residual_floor, tuning.residual_growth * norm))
    {
       return "";
    }

@@ -27,6 +27,7 @@ struct NonlinearOptions
    /// are solved as accurately as ForcingTerm says, unless this is 0.
    mfem::real_t active_set_tolerance = 1e-4;
    LinearOptions linear;
+   SolverTuning tuning;
 };
 
 /// What it took to solve the stages since the last BeginStep().
@@ -97,6 +98,7 @@ public:
    const mfem::Vector &AcceptedRate() const { return accepted.rate; }
    /// Lists what the next step needs of those accepted. Collective.
    void Archive(StateArchive &archive);
+   const NonlinearOptions &Options() const { return options; }
    const SolveReport &Report() const { return report; }
    const PhaseTimes &Times() const { return times; }
    /// What was done since the start, rejected steps included.

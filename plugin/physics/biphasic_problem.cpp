@@ -207,7 +207,7 @@ BiphasicOperator &BiphasicProblem::Operator()
       {
          pairs.push_back(std::make_unique<ContactPair>(
             setup.name, spaces, materials, setup.source, setup.destination,
-            setup.options, deformation));
+            setup.options, deformation, nonlinear.tuning.contact));
          borrowed.push_back(pairs.back().get());
       }
       op = std::make_unique<BiphasicOperator>(

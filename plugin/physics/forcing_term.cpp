@@ -9,13 +9,12 @@ using namespace mfem;
 
 real_t ForcingTerm::Next(real_t norm)
 {
-   constexpr real_t most = 1e-2;
-   constexpr real_t safety = 0.9;
-   real_t term = most;
+   real_t term = tuning.largest_forcing;
    if (last_norm > 0.0)
    {
       const real_t fall = norm / last_norm;
-      term = std::min(most, safety * fall * fall);
+      term =
+         std::min(tuning.largest_forcing, tuning.forcing_factor * fall * fall);
    }
    last_norm = norm;
    return term;

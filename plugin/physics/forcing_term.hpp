@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "synovia/general/solver_tuning.hpp"
 
 namespace synovia
 {
@@ -12,11 +12,14 @@ namespace synovia
 class ForcingTerm
 {
 public:
+   explicit ForcingTerm(const NewtonTuning &tuning_) : tuning(tuning_) {}
+
    /// What may be left of the linear residual, as part of @a norm, that of the
    /// nonlinear one in the state that is linearized.
    mfem::real_t Next(mfem::real_t norm);
 
 private:
+   NewtonTuning tuning;
    /// 0 before the first iteration.
    mfem::real_t last_norm = 0.0;
 };

@@ -59,18 +59,19 @@ void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
    }
    entries = SumOverRanks(entries, mesh.GetComm());
    const real_t unknowns = static_cast<real_t>(displacements + pressures);
+   const FactorizationTuning &tuning = setup.solver.tuning.factorization;
    const bool direct =
       ChooseMethod(
          setup.solver.linear, displacements + pressures,
-         FindModuliRatios(spaces.GetMesh(), problem.Get().Materials())) ==
-      LinearMethod::direct;
+         FindModuliRatios(spaces.GetMesh(), problem.Get().Materials()),
+         tuning) == LinearMethod::direct;
    // Factors of three-dimensional meshes grow like n^(4/3).
    const real_t factors = direct ? 25.0 * std::pow(unknowns, 4.0 / 3.0) : 0.0;
    // Kept factors collect dense columns where contact changes.
-   const real_t columns =
-      direct && !setup.contacts.empty()
-         ? DirectPreconditioner::MostColumns(setup.solver.linear.renew_after)
-         : 0.0;
+   const real_t columns = direct && !setup.contacts.empty()
+                             ? DirectPreconditioner::MostColumns(
+                                  setup.solver.linear.renew_after, tuning)
+                             : 0.0;
    gigabytes =
       1e-9 * (bytes_an_entry * (entries * (direct ? copies_with_factors
                                                   : copies_with_multigrid) +

@@ -11,25 +11,15 @@ using namespace mfem;
 
 namespace
 {
-// Aim below the tolerance: a repeated step costs more than a short one.
-constexpr real_t safety = 0.9;
-// Longest growth, and longest cut, from one try to the next.
-constexpr real_t most_growth = 2.5;
-constexpr real_t most_cut = 0.02;
-// A longer step is worth new matrices only if it is this much longer.
-constexpr real_t least_growth = 1.3;
-// Above so many Newton iterations a solve, steps don't grow.
-constexpr real_t comfortable_newton = 20.0;
 // An error that falls with less than this power of the step is a jump.
 constexpr real_t jump_order = 0.1;
 // In the first step after a load changes, stiff modes make it fall slowly.
 constexpr real_t least_order = 0.25;
-constexpr int most_rejections = 8;
 constexpr real_t round_off = 1e-9;
 } // namespace
 
-StepControl::StepControl(const StepLimits &limits_)
-   : limits(limits_), length(limits.first)
+StepControl::StepControl(const StepLimits &limits_, const StepTuning &tuning_)
+   : limits(limits_), tuning(tuning_), length(limits.first)
 {
 }
 
@@ -48,7 +38,7 @@ StepControl::Verdict StepControl::Judge(const StepTry &step)
 {
    if (!limits.adaptive || step.error <= limits.tolerance ||
        step.dt <= limits.shortest * (1.0 + round_off) ||
-       rejections >= most_rejections)
+       rejections >= tuning.max_rejections)
    {
       return Verdict::accept;
    }
@@ -67,15 +57,16 @@ StepControl::Verdict StepControl::Judge(const StepTry &step)
    rejected_dt = step.dt;
    rejected_error = step.error;
    const real_t factor =
-      safety * std::pow(limits.tolerance / step.error, 1.0 / order);
+      tuning.safety * std::pow(limits.tolerance / step.error, 1.0 / order);
    length =
-      std::max(limits.shortest, step.dt * std::clamp(factor, most_cut, safety));
+      std::max(limits.shortest,
+               step.dt * std::clamp(factor, tuning.most_cut, tuning.safety));
    return Verdict::repeat;
 }
 
 void StepControl::Grow(const StepTry &step)
 {
-   const bool hard = step.newton > comfortable_newton;
+   const bool hard = step.newton > tuning.hard_newton;
    const bool tried_again = failures > 0 || rejections > 0;
    failures = 0;
    rejections = 0;
@@ -87,12 +78,12 @@ void StepControl::Grow(const StepTry &step)
    }
    const real_t allowed =
       step.error > 0.0
-         ? step.dt * safety *
+         ? step.dt * tuning.safety *
               std::pow(limits.tolerance / step.error, 1.0 / step.order)
          : std::numeric_limits<real_t>::max();
-   real_t next =
-      std::min(allowed, (hard || tried_again ? 1.0 : most_growth) * step.dt);
-   if (next > step.dt && next < least_growth * step.dt)
+   real_t next = std::min(
+      allowed, (hard || tried_again ? 1.0 : tuning.most_growth) * step.dt);
+   if (next > step.dt && next < tuning.least_growth * step.dt)
    {
       next = step.dt;
    }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/general/solver_tuning.hpp"
 #include "synovia/general/state_archive.hpp"
 
 namespace synovia
@@ -40,7 +41,8 @@ struct StepTry
 class StepControl
 {
 public:
-   explicit StepControl(const StepLimits &limits);
+   explicit StepControl(const StepLimits &limits,
+                        const StepTuning &tuning = StepTuning());
 
    /// How long the next try should be at most.
    mfem::real_t Length() const { return length; }
@@ -65,6 +67,7 @@ public:
 
 private:
    StepLimits limits;
+   StepTuning tuning;
    mfem::real_t length;
    /// Of the tries of the present step.
    int failures = 0;

@@ -109,7 +109,7 @@ TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
    : op(problem.Operator()), options(Checked(options_)), recorder(op),
      solver(MakeSolver(options.scheme)),
      norm(op.Bodies().Tangent(), problem.Spaces().Offsets()),
-     control(Limits(options)),
+     control(Limits(options), op.Options().tuning.steps),
      same_time(std::max(same_part *
                            (options.adaptive ? options.min_step : options.step),
                         round_off * options.end)),

@@ -1,0 +1,167 @@
+#pragma once
+
+#include "mfem.hpp"
+
+namespace synovia
+{
+
+// Measured constants that decide how fast and how robustly problems are solved.
+// Results depend on them within the tolerances only, but for the coverages of
+// contact, which decide about single vertices at the rim of a surface. The
+// defaults were measured on the shipped cases; their keys in a case file are
+// solver.tuning.GROUP.NAME.
+
+/// Of the augmented Lagrangian of each contact pair.
+struct ContactTuning
+{
+   /// Part of the area around a vertex of the destination that the source must
+   /// cover for the vertex to be sealed. Larger: vertices at the rim of the
+   /// source drain; smaller: they hold pressure against a free surface.
+   mfem::real_t sealing_coverage = 0.75;
+   /// Part of the area around a vertex of the source that sealed contact must
+   /// cover for the vertex to be sealed.
+   mfem::real_t source_sealing_coverage = 0.5;
+   /// A vertex of the destination of which the source covers a smaller part
+   /// bears no traction. Smaller: needles of traction at the rim.
+   mfem::real_t least_coverage = 0.05;
+   /// In finite deformation, a vertex of which the source covers a smaller part
+   /// shares the multipliers of the vertices around. Smaller: needles of
+   /// traction while vertices slide over the rim; larger: coarser multipliers
+   /// along it.
+   mfem::real_t rim_coverage = 0.4;
+   /// Part of a gap or jump that an augmentation may leave without the penalty
+   /// being raised (Simo & Laursen, Comput Struct 42:97-116, 1992). Smaller:
+   /// fewer augmentations with stiffer systems.
+   mfem::real_t slow_augmentation = 0.25;
+   /// Factor by which the penalty is raised then.
+   mfem::real_t stiffening_factor = 10.0;
+   /// Penalties are raised while they are less than this many times those at
+   /// the start. Larger: round-off may keep Newton's method from converging.
+   mfem::real_t largest_stiffening = 1e4;
+   /// How far multipliers are extrapolated in time, in intervals between the
+   /// last two states; from farther ahead the last ones are taken. 0: always.
+   mfem::real_t prediction_reach = 1.5;
+};
+
+/// Of Newton's method.
+struct NewtonTuning
+{
+   /// The linear systems of finite deformation are solved to this part of the
+   /// nonlinear residual at least. Larger: cheaper iterations, and more of
+   /// them.
+   mfem::real_t largest_forcing = 1e-2;
+   /// Of Eisenstat and Walker's forcing term, factor of the squared reduction
+   /// of the residual in the last iteration.
+   mfem::real_t forcing_factor = 0.9;
+   /// What the linear systems of finite deformation may leave at most, in units
+   /// of the nonlinear tolerance. Near 1, the last iteration may fail to reach
+   /// it.
+   mfem::real_t final_accuracy = 0.3;
+   /// Smallest part of a step that the line search tries before the solve
+   /// fails. Smaller: more evaluations before a time step is cut.
+   mfem::real_t shortest_step = 1.0 / 16.0;
+   /// Factor by which the residual may grow in a step. Larger: fewer shortened
+   /// steps, but the iteration may diverge.
+   mfem::real_t residual_growth = 2.0;
+   /// Residuals below this many tolerances may always grow up to it.
+   mfem::real_t residual_floor = 10.0;
+   /// How often contact is searched anew in one solve because points have moved
+   /// on to other faces.
+   int max_searches = 3;
+};
+
+/// Of factorizations that are kept over steps and active sets.
+struct FactorizationTuning
+{
+   /// ModuliRatios::anisotropy above which `auto` factorizes twice as many
+   /// unknowns: multigrid takes two or three times as many iterations there.
+   mfem::real_t stiff_fibers = 100.0;
+   /// Time steps within this factor of the one factorized for use its factors.
+   /// Larger: fewer factorizations, more iterations.
+   mfem::real_t like_step = 1.2;
+   /// A contact weight that differs by more than this part of it gets a column
+   /// of the low-rank update.
+   mfem::real_t other_weight = 0.5;
+   /// A column that differs by less than this part (of its norm) from the one
+   /// that was solved for is not solved for again. Larger: fewer solves, more
+   /// iterations in sliding contact.
+   mfem::real_t like_column = 1e-2;
+   /// Cost of a column among many over that of a solve of its own. With
+   /// renew_after it decides when the factorization is renewed and how much
+   /// memory columns may take.
+   mfem::real_t column_cost = 0.1;
+   /// How many columns are solved for at once: their right sides are gathered
+   /// on one rank.
+   int column_batch = 64;
+   /// More columns than this lead to a new factorization: the dense part of the
+   /// update would take longer than a solve.
+   int max_columns = 1000;
+   /// A solve with old factors that takes more iterations than this renews
+   /// them.
+   int stale_patience = 12;
+   /// The same after a search has changed partners of contact.
+   int moved_patience = 8;
+};
+
+/// Of block AMG, and of FGMRES around any preconditioner.
+struct MultigridTuning
+{
+   /// Iterations after which FGMRES restarts; each keeps two vectors.
+   int restart = 100;
+   /// hypre's threshold of strong couplings in displacement. Larger: sparser
+   /// operators on coarse levels, and more iterations.
+   mfem::real_t strong_threshold = 0.25;
+   /// Solids whose ModuliRatios are below both of these get one sweep of
+   /// Gauss-Seidel each way, which takes half the time of MFEM's smoother for
+   /// systems. Larger: the same for solids that it smooths slowly. An
+   /// incompressibility of 5 is that of a Poisson's ratio of 0.37.
+   mfem::real_t smooth_incompressibility = 5.0;
+   mfem::real_t smooth_anisotropy = 3.0;
+   /// ModuliRatios::incompressibility (20 for a Poisson's ratio of 0.47) above
+   /// which two V-cycles are made instead of one.
+   mfem::real_t second_cycle = 20.0;
+   /// Part of the undrained compliance in the Schur complement of the pressure:
+   /// 1 where no solid can give way sideways, less the freer it is.
+   mfem::real_t schur_compliance = 0.6;
+   /// The hierarchy of the displacement is built anew when it has served for
+   /// this many iterations and more than rebuild_change of the contact's
+   /// weights are others.
+   int rebuild_after = 25;
+   mfem::real_t rebuild_change = 0.2;
+   /// The same after a search has changed partners of contact, whatever the
+   /// weights.
+   int rebuild_after_sliding = 120;
+   /// The hierarchies are built anew once changes of the tangent have cost more
+   /// iterations than this.
+   mfem::real_t rebuild_cost = 10.0;
+};
+
+/// Of the choice of time steps.
+struct StepTuning
+{
+   /// Part of the error tolerance that adaptive steps aim at, as a factor of
+   /// their length: a repeated step costs more than a short one.
+   mfem::real_t safety = 0.9;
+   /// Largest factor from one step to the next, and smallest one from a try to
+   /// the next.
+   mfem::real_t most_growth = 2.5;
+   mfem::real_t most_cut = 0.02;
+   /// A step is only lengthened by more than this factor: another length takes
+   /// new matrices.
+   mfem::real_t least_growth = 1.3;
+   /// Steps don't grow after one with more Newton iterations a solve.
+   mfem::real_t hard_newton = 20.0;
+   /// How often a step is repeated because of its error.
+   int max_rejections = 8;
+};
+
+struct SolverTuning
+{
+   ContactTuning contact;
+   NewtonTuning newton;
+   FactorizationTuning factorization;
+   MultigridTuning multigrid;
+   StepTuning steps;
+};
+
+} // namespace synovia
