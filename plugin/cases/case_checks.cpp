@@ -1,4 +1,5 @@
 #include "synovia/cases/case_checks.hpp"
+#include "synovia/cases/key_names.hpp"
 #include "synovia/cases/law_checks.hpp"
 #include "synovia/general/text.hpp"
 
@@ -150,50 +151,31 @@ public:
    void Enter(const BoundaryCase &boundary, const std::string &surface,
               const std::string &path)
    {
-      const std::string at = " on " + Quoted(surface);
-      for (int d = 0; d < 3; d++)
+      const auto enter =
+         [&](bool given, const std::string &key, const std::string &what)
       {
-         const bool loaded =
-            boundary.traction && !IsZero((*boundary.traction)[d]);
-         const bool driven = boundary.force.Drives(d);
-         if (boundary.displacement[d] || loaded || driven)
+         if (given)
          {
-            // A load on what doesn't give would come to nothing.
-            once.Enter(surface + '\n' + axes[d],
-                       path + (boundary.displacement[d] ? ".displacement"
-                               : loaded                 ? ".traction"
-                                                        : ".force"),
-                       std::string("displacement, traction or force along ") +
-                          axes[d] + at + " is prescribed already");
-         }
-         if (boundary.displacement[d] && driven)
-         {
-            once.Enter(surface + '\n' + axes[d], path + ".force",
-                       std::string("displacement along ") + axes[d] + at +
+            once.Enter(surface + '\n' + what, path + "." + key,
+                       what + " on " + Quoted(surface) +
                           " is prescribed already");
          }
-         if ((boundary.displacement[d] || driven) && loaded)
-         {
-            once.Enter(surface + '\n' + axes[d], path + ".traction",
-                       std::string("displacement or force along ") + axes[d] +
-                          at + " is prescribed already");
-         }
-      }
-      if (boundary.pressure)
+      };
+      for (int d = 0; d < 3; d++)
       {
-         once.Enter(surface + "\nfluid", path + ".pressure",
-                    "pressure or flux" + at + " is prescribed already");
+         // A load on what doesn't give would come to nothing.
+         const std::string along =
+            std::string("displacement, traction or force along ") + axes[d];
+         enter(boundary.displacement[d].has_value(), "displacement", along);
+         enter(boundary.traction && !IsZero((*boundary.traction)[d]),
+               "traction", along);
+         enter(boundary.force.Drives(d), "force", along);
       }
-      if (boundary.normal_flux)
-      {
-         once.Enter(surface + "\nfluid", path + ".normal_flux",
-                    "pressure or flux" + at + " is prescribed already");
-      }
-      if (boundary.normal_traction)
-      {
-         once.Enter(surface + "\nnormal", path + ".normal_traction",
-                    "the normal traction" + at + " is prescribed already");
-      }
+      enter(boundary.pressure.has_value(), "pressure", "pressure or flux");
+      enter(boundary.normal_flux.has_value(), "normal_flux",
+            "pressure or flux");
+      enter(boundary.normal_traction.has_value(), "normal_traction",
+            "the normal traction");
    }
 
 private:
@@ -216,47 +198,43 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
       const std::string path = Path("boundary", i);
       CheckNames(boundary.surfaces, path + ".surfaces", "surface", reading);
       const auto &u = boundary.displacement;
-      const bool idle =
-         !u[0] && !u[1] && !u[2] && !boundary.pressure && !boundary.traction &&
-         !boundary.normal_traction && !boundary.normal_flux &&
-         boundary.spring.stiffness == 0.0 && !boundary.force.curve;
-      bool complained = false;
-      for (const char *key :
-           {"displacement", "pressure", "traction", "normal_traction",
-            "normal_flux", "spring", "force"})
+      const bool moved = u[0] || u[1] || u[2] || boundary.force.curve ||
+                         boundary.spring.stiffness > 0.0;
+      const std::vector<std::string> keys = {
+         "displacement", "pressure", "traction", "normal_traction",
+         "normal_flux",  "spring",   "force"};
+      const bool written =
+         std::any_of(keys.begin(), keys.end(),
+                     [&](const std::string &key)
+                     { return reading.Places().count(path + "." + key) > 0; });
+      if (!moved && !boundary.pressure && !boundary.traction &&
+          !boundary.normal_traction && !boundary.normal_flux && !written)
       {
-         complained = complained || reading.Places().count(path + "." + key);
+         reading.AddError(path, "nothing is prescribed here; give one of " +
+                                   JoinedNames(keys));
       }
-      if (idle && !complained)
+      const auto check_pair =
+         [&](bool first, bool second, const char *key, const char *problem)
       {
-         reading.AddError(path,
-                          "nothing is prescribed here; give displacement, "
-                          "pressure, traction, normal_traction, "
-                          "normal_flux, spring or force");
-      }
-      if (boundary.spring.IsDirected() && boundary.spring.stiffness == 0.0)
-      {
-         reading.AddError(path + ".spring",
-                          "there is a direction, but no stiffness");
-      }
-      if (boundary.force.IsDirected() && !boundary.force.curve)
-      {
-         reading.AddError(path + ".force",
-                          "there is a direction, but no curve");
-      }
-      if (boundary.force.curve && !boundary.force.IsDirected())
-      {
-         reading.AddError(path + ".force",
-                          "there is a curve, but no direction");
-      }
+         if (first && !second)
+         {
+            reading.AddError(path + "." + key, problem);
+         }
+      };
+      const ForceCase &force = boundary.force;
+      const bool stiff = boundary.spring.stiffness > 0.0;
+      check_pair(boundary.spring.IsDirected(), stiff, "spring",
+                 "there is a direction, but no stiffness");
+      check_pair(force.IsDirected(), force.curve.has_value(), "force",
+                 "there is a direction, but no curve");
+      check_pair(force.curve.has_value(), force.IsDirected(), "force",
+                 "there is a curve, but no direction");
       const std::set<std::string> distinct(boundary.surfaces.begin(),
                                            boundary.surfaces.end());
       for (const std::string &surface : distinct)
       {
          prescriptions.Enter(boundary, surface, path);
-         if ((u[0] || u[1] || u[2] || boundary.spring.stiffness > 0.0 ||
-              boundary.force.curve) &&
-             surface.find_first_of(",\"'/\\") != std::string::npos)
+         if (moved && surface.find_first_of(",\"'/\\") != std::string::npos)
          {
             reading.AddError(path + ".surfaces",
                              "the name " + Quoted(surface) +

@@ -15,9 +15,8 @@ namespace
 constexpr real_t largest_number = 1e30;
 
 constexpr const char *free_word = "free";
-
-const char *const curve_times = "times";
-const char *const curve_values = "values";
+constexpr const char *curve_times = "times";
+constexpr const char *curve_values = "values";
 
 template <typename List, typename Text>
 std::string ListText(const List &list, Text text)
@@ -30,19 +29,19 @@ std::string ListText(const List &list, Text text)
    return "[" + joined + "]";
 }
 
-std::string NumbersText(const std::vector<real_t> &numbers)
+std::string NumbersText(const Numbers &numbers)
 {
    return ListText(numbers, ShortestNumber);
 }
 
 std::string CurveText(const LoadCurve &curve)
 {
-   const std::vector<real_t> &times = curve.Corners();
+   const Numbers &times = curve.Corners();
    if (times.size() == 1)
    {
       return ShortestNumber(curve(times.front()));
    }
-   std::vector<real_t> values;
+   Numbers values;
    for (const real_t t : times)
    {
       values.push_back(curve(t));
@@ -51,134 +50,137 @@ std::string CurveText(const LoadCurve &curve)
           curve_values + " = " + NumbersText(values) + "}";
 }
 
-std::string ItemPath(const std::string &path, size_t i)
+bool IsNumber(const CaseInput &from)
 {
-   return path + "." + std::to_string(i);
-}
-
-bool IsNumber(const CaseValue &value)
-{
-   return value.type == CaseValue::Type::integer ||
-          value.type == CaseValue::Type::number;
+   return from.Is(CaseValue::Type::integer) || from.Is(CaseValue::Type::number);
 }
 
 template <typename Integer>
-void ReadInteger(const CaseValue &from, const std::string &path, Integer &value,
-                 CaseReading &reading)
+void ReadInteger(const CaseInput &from, Integer &value)
 {
-   if (from.type != CaseValue::Type::integer)
+   if (!from.Is(CaseValue::Type::integer))
    {
-      reading.Expect(path, TypeOf(value), from);
-      return;
+      from.Expect(type_name<Integer>);
    }
-   if (from.integer > std::numeric_limits<Integer>::max() ||
-       from.integer < std::numeric_limits<Integer>::min())
+   else if (from->integer > std::numeric_limits<Integer>::max() ||
+            from->integer < std::numeric_limits<Integer>::min())
    {
-      reading.AddError(path, std::to_string(from.integer) +
-                                " is too large for an integer here");
-      return;
+      from.AddError(std::to_string(from->integer) +
+                    " is too large for an integer here");
    }
-   value = static_cast<Integer>(from.integer);
+   else
+   {
+      value = static_cast<Integer>(from->integer);
+   }
 }
 
-// Whether it is a list of this many; any number if size is 0.
-bool IsList(const CaseValue &from, const std::string &path, size_t size,
-            const std::string &expected, CaseReading &reading)
+// False, with a complaint, if it is no list.
+template <typename Item>
+bool ReadItems(const CaseInput &from, const std::string &expected,
+               std::vector<Item> &items)
 {
-   if (from.type != CaseValue::Type::list ||
-       (size > 0 && from.items.size() != size))
+   if (!from.Is(CaseValue::Type::list))
    {
-      reading.Expect(path, expected, from);
+      from.Expect(expected);
       return false;
    }
-   for (size_t i = 0; i < from.items.size(); i++)
+   items.resize(from->items.size());
+   for (size_t i = 0; i < items.size(); i++)
    {
-      reading.SetPlace(ItemPath(path, i), from.items[i].place);
+      ReadValue(from.Item(i), items[i]);
+   }
+   return true;
+}
+
+// The same for a list of three, each read by @a read.
+template <typename Read>
+bool ReadThree(const CaseInput &from, const std::string &expected, Read read)
+{
+   if (!from.Is(CaseValue::Type::list) || from->items.size() != 3)
+   {
+      from.Expect("a list of 3" + expected);
+      return false;
+   }
+   for (size_t i = 0; i < 3; i++)
+   {
+      read(from.Item(i), i);
    }
    return true;
 }
 
 // What is wrong with the points of a curve, and where.
-void CheckCurve(const Numbers &times, const Numbers &values,
-                const std::string &path, CaseReading &reading)
+void CheckCurve(const CaseInput &from, const Numbers &times,
+                const Numbers &values)
 {
    if (times.empty() || times.size() != values.size())
    {
-      reading.AddError(path, "the curve has " + std::to_string(times.size()) +
-                                " times and " + std::to_string(values.size()) +
-                                " values; give as many values as times, at "
-                                "least one");
+      from.AddError("the curve has " + std::to_string(times.size()) +
+                    " times and " + std::to_string(values.size()) +
+                    " values; give as many values as times, at least one");
       return;
    }
    for (size_t i = 1; i < times.size(); i++)
    {
       if (times[i] <= times[i - 1])
       {
-         reading.AddError(ItemPath(path + "." + curve_times, i),
-                          "the times of a curve must ascend, but " +
-                             ToText(times[i]) + " follows " +
-                             ToText(times[i - 1]));
+         const CaseInput all =
+            from.Member(curve_times, *from->Find(curve_times));
+         all.Item(i).AddError("the times of a curve must ascend, but " +
+                              ToText(times[i]) + " follows " +
+                              ToText(times[i - 1]));
          return;
       }
    }
 }
 
 // One of the two lists of a curve.
-Numbers ReadPoints(const CaseValue &curve, const std::string &key,
-                   const std::string &path, CaseReading &reading)
+Numbers ReadPoints(const CaseInput &curve, const std::string &key)
 {
    Numbers points;
-   const CaseValue *from = curve.Find(key);
-   const std::string here = path + "." + key;
-   if (!from)
+   if (const CaseValue *from = curve->Find(key))
    {
-      reading.AddError(path, "the curve has no \"" + key + "\"; write " +
-                                CurveForms());
-      return points;
+      ReadValue(curve.Member(key, *from), points);
    }
-   reading.SetPlace(here, from->place);
-   ReadValue(*from, here, points, reading);
+   else
+   {
+      curve.AddError("the curve has no \"" + key + "\"; write " + CurveForms());
+   }
    return points;
 }
 
 // A number or a curve; nothing, with a complaint, if it is neither.
-std::optional<LoadCurve> ReadCurve(const CaseValue &from,
-                                   const std::string &path,
-                                   const std::string &expected,
-                                   CaseReading &reading)
+std::optional<LoadCurve> ReadCurve(const CaseInput &from,
+                                   const std::string &expected)
 {
    if (IsNumber(from))
    {
       real_t constant = 0.0;
-      ReadValue(from, path, constant, reading);
+      ReadValue(from, constant);
       return LoadCurve(constant);
    }
-   if (from.type != CaseValue::Type::table)
+   if (!from.Is(CaseValue::Type::table))
    {
-      reading.Expect(path, expected, from);
+      from.Expect(expected);
       return std::nullopt;
    }
-   const size_t before = reading.Count();
-   for (const CaseValue::Member &member : from.members)
+   const size_t before = from.Reading().Count();
+   for (const CaseValue::Member &member : from->members)
    {
       if (member.key != curve_times && member.key != curve_values)
       {
-         reading.SetPlace(path + "." + member.key, member.place);
-         reading.AddError(path + "." + member.key,
-                          "a curve has no such key; write " + CurveForms());
+         from.Member(member.key, member.value)
+            .AddError("a curve has no such key; write " + CurveForms());
       }
    }
-   const Numbers times = ReadPoints(from, curve_times, path, reading);
-   const Numbers values = ReadPoints(from, curve_values, path, reading);
-   if (reading.Count() == before)
+   const Numbers times = ReadPoints(from, curve_times);
+   const Numbers values = ReadPoints(from, curve_values);
+   if (from.Reading().Count() == before)
    {
-      CheckCurve(times, values, path, reading);
+      CheckCurve(from, times, values);
    }
-   if (reading.Count() > before)
-   {
-      return std::nullopt;
-   }
-   return LoadCurve(times, values);
+   return from.Reading().Count() > before
+             ? std::nullopt
+             : std::make_optional(LoadCurve(times, values));
 }
 } // namespace
 
@@ -186,55 +188,6 @@ std::string CurveForms()
 {
    return std::string("a number, or {") + curve_times + " = [...], " +
           curve_values + " = [...]}";
-}
-
-std::string TypeOf(const bool &)
-{
-   return "boolean";
-}
-std::string TypeOf(const int &)
-{
-   return "integer";
-}
-std::string TypeOf(const long long &)
-{
-   return "integer";
-}
-std::string TypeOf(const real_t &)
-{
-   return "number";
-}
-std::string TypeOf(const std::string &)
-{
-   return "string";
-}
-std::string TypeOf(const Names &)
-{
-   return "name or list of names";
-}
-std::string TypeOf(const Numbers &)
-{
-   return "list of numbers";
-}
-std::string TypeOf(const Numbers3 &)
-{
-   return "list of 3 numbers";
-}
-std::string TypeOf(const std::optional<LoadCurve> &)
-{
-   return "curve";
-}
-std::string TypeOf(const Components &)
-{
-   return "list of 3: curve or \"" + std::string(free_word) + "\"";
-}
-std::string TypeOf(const Curves &)
-{
-   return "list of 3 curves";
-}
-std::string TypeOf(const MeshGenerator &)
-{
-   return "list of strings";
 }
 
 TomlText TextOf(const bool &value)
@@ -298,182 +251,130 @@ TomlText TextOf(const MeshGenerator &value)
    return ListText(words, Quoted);
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, bool &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, bool &value)
 {
-   if (from.type != CaseValue::Type::boolean)
+   if (!from.Is(CaseValue::Type::boolean))
    {
-      reading.Expect(path, "true or false", from);
+      from.Expect("true or false");
       return;
    }
-   value = from.boolean;
+   value = from->boolean;
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, int &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, int &value)
 {
-   ReadInteger(from, path, value, reading);
+   ReadInteger(from, value);
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, long long &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, long long &value)
 {
-   ReadInteger(from, path, value, reading);
+   ReadInteger(from, value);
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, real_t &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, real_t &value)
 {
    if (!IsNumber(from))
    {
-      reading.Expect(path, "a number", from);
+      from.Expect("a number");
    }
-   else if (!std::isfinite(from.number) ||
-            std::abs(from.number) > largest_number)
+   else if (!std::isfinite(from->number) ||
+            std::abs(from->number) > largest_number)
    {
-      reading.AddError(path, "found " + ShortestNumber(from.number) +
-                                "; numbers must be finite and at most " +
-                                ToText(largest_number));
+      from.AddError("found " + ShortestNumber(from->number) +
+                    "; numbers must be finite and at most " +
+                    ToText(largest_number));
    }
    else
    {
-      value = from.number;
+      value = from->number;
    }
 }
 
-void ReadValue(const CaseValue &from, const std::string &path,
-               std::string &value, CaseReading &reading)
+void ReadValue(const CaseInput &from, std::string &value)
 {
-   if (from.type != CaseValue::Type::text)
+   if (!from.Is(CaseValue::Type::text))
    {
-      reading.Expect(path, "a string", from);
+      from.Expect("a string");
       return;
    }
-   for (const char c : from.text)
+   for (const char c : from->text)
    {
       if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       {
-         reading.AddError(path, "found " + from.Describe() +
-                                   "; there must be no control characters");
+         from.AddError("found " + from->Describe() +
+                       "; there must be no control characters");
          return;
       }
    }
-   value = from.text;
+   value = from->text;
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, Names &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, Names &value)
 {
-   Names names(1);
-   if (from.type == CaseValue::Type::text)
+   if (from.Is(CaseValue::Type::text))
    {
-      ReadValue(from, path, names.front(), reading);
-   }
-   else if (IsList(from, path, 0, "a name or a list of names", reading))
-   {
-      names.resize(from.items.size());
-      for (size_t i = 0; i < names.size(); i++)
-      {
-         ReadValue(from.items[i], ItemPath(path, i), names[i], reading);
-      }
+      value.resize(1);
+      ReadValue(from, value.front());
    }
    else
    {
-      return;
+      ReadItems(from, "a name or a list of names", value);
    }
-   value = names;
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, Numbers &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, Numbers &value)
 {
-   if (!IsList(from, path, 0, "a list of numbers", reading))
-   {
-      return;
-   }
-   value.assign(from.items.size(), 0.0);
-   for (size_t i = 0; i < value.size(); i++)
-   {
-      ReadValue(from.items[i], ItemPath(path, i), value[i], reading);
-   }
+   ReadItems(from, "a list of numbers", value);
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, Numbers3 &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, Numbers3 &value)
 {
-   if (!IsList(from, path, 3, "a list of 3 numbers", reading))
-   {
-      return;
-   }
-   for (size_t i = 0; i < 3; i++)
-   {
-      ReadValue(from.items[i], ItemPath(path, i), value[i], reading);
-   }
+   ReadThree(from, " numbers",
+             [&](const CaseInput &item, size_t i)
+             { ReadValue(item, value[i]); });
 }
 
-void ReadValue(const CaseValue &from, const std::string &path,
-               std::optional<LoadCurve> &value, CaseReading &reading)
+void ReadValue(const CaseInput &from, std::optional<LoadCurve> &value)
 {
-   value = ReadCurve(from, path, CurveForms(), reading);
+   value = ReadCurve(from, CurveForms());
 }
 
-void ReadValue(const CaseValue &from, const std::string &path,
-               Components &value, CaseReading &reading)
+void ReadValue(const CaseInput &from, Components &value)
 {
-   const std::string each =
-      CurveForms() + ", or \"" + std::string(free_word) + "\"";
-   if (!IsList(from, path, 3, "a list of 3, each " + each, reading))
-   {
-      return;
-   }
-   for (size_t i = 0; i < 3; i++)
-   {
-      const CaseValue &item = from.items[i];
-      value[i] = std::nullopt;
-      if (item.type != CaseValue::Type::text || item.text != free_word)
-      {
-         value[i] = ReadCurve(item, ItemPath(path, i), each, reading);
-      }
-   }
+   const std::string each = CurveForms() + ", or " + Quoted(free_word);
+   ReadThree(from, ", each " + each,
+             [&](const CaseInput &item, size_t i)
+             {
+                const bool is_free =
+                   item.Is(CaseValue::Type::text) && item->text == free_word;
+                value[i] = is_free ? std::nullopt : ReadCurve(item, each);
+             });
 }
 
-void ReadValue(const CaseValue &from, const std::string &path, Curves &value,
-               CaseReading &reading)
+void ReadValue(const CaseInput &from, Curves &value)
 {
-   if (!IsList(from, path, 3, "a list of 3, each " + CurveForms(), reading))
+   std::array<LoadCurve, 3> curves{0.0, 0.0, 0.0};
+   const auto read = [&](const CaseInput &item, size_t i)
+   { curves[i] = ReadCurve(item, CurveForms()).value_or(0.0); };
+   if (ReadThree(from, ", each " + CurveForms(), read))
    {
-      return;
+      value = curves;
    }
-   std::array<LoadCurve, 3> curves{LoadCurve(0.0), LoadCurve(0.0),
-                                   LoadCurve(0.0)};
-   for (size_t i = 0; i < 3; i++)
-   {
-      const auto curve =
-         ReadCurve(from.items[i], ItemPath(path, i), CurveForms(), reading);
-      curves[i] = curve.value_or(LoadCurve(0.0));
-   }
-   value = curves;
 }
 
-void ReadValue(const CaseValue &from, const std::string &path,
-               MeshGenerator &value, CaseReading &reading)
+void ReadValue(const CaseInput &from, MeshGenerator &value)
 {
    const char *const expected =
       "a list of strings: the name of a script in meshes/ and its arguments, "
       "such as [\"boxes.py\", \"two_columns\"]";
-   if (!IsList(from, path, 0, expected, reading))
+   Names words;
+   if (!ReadItems(from, expected, words))
    {
       return;
    }
-   std::vector<std::string> words(from.items.size());
-   for (size_t i = 0; i < words.size(); i++)
+   if (words.empty() || (words.front().empty() && !from.Item(0).HasError()))
    {
-      ReadValue(from.items[i], ItemPath(path, i), words[i], reading);
-   }
-   if (words.empty() ||
-       (words.front().empty() && !reading.HasError(ItemPath(path, 0))))
-   {
-      reading.Expect(path, expected, from);
+      from.Expect(expected);
       return;
    }
    value.script = words.front();

@@ -11,29 +11,42 @@
 namespace synovia
 {
 
-// For each type that a value of a case can have: its name, its text as TOML
-// (none if it isn't set), and how it is read. ReadValue() complains about a
-// value of another type and leaves the present one.
-
 using Components = std::array<std::optional<LoadCurve>, 3>;
 using Curves = std::optional<std::array<LoadCurve, 3>>;
 using Numbers3 = std::array<mfem::real_t, 3>;
 using Names = std::vector<std::string>;
 using Numbers = std::vector<mfem::real_t>;
 
-std::string TypeOf(const bool &);
-std::string TypeOf(const int &);
-std::string TypeOf(const long long &);
-std::string TypeOf(const mfem::real_t &);
-std::string TypeOf(const std::string &);
-std::string TypeOf(const Names &);
-std::string TypeOf(const Numbers &);
-std::string TypeOf(const Numbers3 &);
-std::string TypeOf(const std::optional<LoadCurve> &);
-std::string TypeOf(const Components &);
-std::string TypeOf(const Curves &);
-std::string TypeOf(const MeshGenerator &);
+/// What a value of a case of each type is called, for users.
+template <typename T>
+inline constexpr const char *type_name = nullptr;
+template <>
+inline constexpr const char *type_name<bool> = "boolean";
+template <>
+inline constexpr const char *type_name<int> = "integer";
+template <>
+inline constexpr const char *type_name<long long> = "integer";
+template <>
+inline constexpr const char *type_name<mfem::real_t> = "number";
+template <>
+inline constexpr const char *type_name<std::string> = "string";
+template <>
+inline constexpr const char *type_name<Names> = "name or list of names";
+template <>
+inline constexpr const char *type_name<Numbers> = "list of numbers";
+template <>
+inline constexpr const char *type_name<Numbers3> = "list of 3 numbers";
+template <>
+inline constexpr const char *type_name<std::optional<LoadCurve>> = "curve";
+template <>
+inline constexpr const char *type_name<Components> =
+   "list of 3: curve or \"free\"";
+template <>
+inline constexpr const char *type_name<Curves> = "list of 3 curves";
+template <>
+inline constexpr const char *type_name<MeshGenerator> = "list of strings";
 
+/// A value as TOML; none if it isn't set.
 using TomlText = std::optional<std::string>;
 
 TomlText TextOf(const bool &value);
@@ -49,30 +62,20 @@ TomlText TextOf(const Components &value);
 TomlText TextOf(const Curves &value);
 TomlText TextOf(const MeshGenerator &value);
 
-void ReadValue(const CaseValue &from, const std::string &path, bool &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, int &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, long long &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path,
-               mfem::real_t &value, CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path,
-               std::string &value, CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, Names &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, Numbers &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, Numbers3 &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path,
-               std::optional<LoadCurve> &value, CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path,
-               Components &value, CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path, Curves &value,
-               CaseReading &reading);
-void ReadValue(const CaseValue &from, const std::string &path,
-               MeshGenerator &value, CaseReading &reading);
+/// Reads a value; complains about one of another type, and leaves what was
+/// there.
+void ReadValue(const CaseInput &from, bool &value);
+void ReadValue(const CaseInput &from, int &value);
+void ReadValue(const CaseInput &from, long long &value);
+void ReadValue(const CaseInput &from, mfem::real_t &value);
+void ReadValue(const CaseInput &from, std::string &value);
+void ReadValue(const CaseInput &from, Names &value);
+void ReadValue(const CaseInput &from, Numbers &value);
+void ReadValue(const CaseInput &from, Numbers3 &value);
+void ReadValue(const CaseInput &from, std::optional<LoadCurve> &value);
+void ReadValue(const CaseInput &from, Components &value);
+void ReadValue(const CaseInput &from, Curves &value);
+void ReadValue(const CaseInput &from, MeshGenerator &value);
 
 /// The forms of a curve, for those who look up what "curve" means.
 std::string CurveForms();

@@ -135,7 +135,7 @@ CaseFile ParseCase(const std::string &text, const std::string &source,
    CaseFile setup;
    CaseReading reading;
    reading.SetPlace("", root.place);
-   CaseKeys(setup).Read(root, "", reading);
+   CaseKeys(setup).Read(CaseInput(root, "", reading));
    Check(setup, reading);
    setup.places = reading.Places();
    ResolveMeshFile(setup, source);

@@ -1,7 +1,7 @@
 #include "synovia/cases/case_problem.hpp"
 #include "synovia/fem/body.hpp"
-#include "synovia/general/error.hpp"
 #include "synovia/materials/law_registry.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/mesh/surface_center.hpp"
 
 #include <map>
@@ -11,18 +11,6 @@ namespace synovia
 
 using namespace mfem;
 
-namespace
-{
-void Append(const NamedMesh &mesh, const std::vector<std::string> &names,
-            Array<int> &attributes)
-{
-   for (const std::string &name : names)
-   {
-      attributes.Append(mesh.Boundary(name));
-   }
-}
-} // namespace
-
 Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
                         int component)
 {
@@ -31,7 +19,7 @@ Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
    {
       if (boundary.Holds(component))
       {
-         Append(mesh, boundary.surfaces, held);
+         held.Append(NamedBoundaries(mesh, boundary.surfaces));
       }
    }
    return held;
@@ -42,8 +30,8 @@ Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    Array<int> touching;
    for (const ContactCase &contact : setup.contacts)
    {
-      Append(mesh, contact.source, touching);
-      Append(mesh, contact.destination, touching);
+      touching.Append(NamedBoundaries(mesh, contact.source));
+      touching.Append(NamedBoundaries(mesh, contact.destination));
    }
    return touching;
 }
@@ -84,14 +72,8 @@ private:
       Array<int> all;
       for (size_t i = 0; i < names.size(); i++)
       {
-         try
-         {
-            all.Append((mesh.*find)(names[i]));
-         }
-         catch (const Error &error) // on all ranks alike
-         {
-            reading.AddError(path + "." + std::to_string(i), error.what());
-         }
+         reading.Catch(path + "." + std::to_string(i),
+                       [&]() { all.Append((mesh.*find)(names[i])); });
       }
       return all;
    }
@@ -175,17 +157,10 @@ void CheckDirectLibrary(const CaseFile &setup, const NamedMesh &mesh,
                         CaseReading &reading)
 {
    const DirectLibrary library = setup.solver.linear.direct.library;
-   if (library == DirectLibrary::automatic)
+   if (library != DirectLibrary::automatic)
    {
-      return;
-   }
-   try
-   {
-      VerifyDirectLibrary(library, mesh.GetComm());
-   }
-   catch (const Error &error) // on all ranks alike
-   {
-      reading.AddError("solver.direct", error.what());
+      reading.Catch("solver.direct",
+                    [&]() { VerifyDirectLibrary(library, mesh.GetComm()); });
    }
 }
 
@@ -204,9 +179,8 @@ Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
 {
    if (!frame.around.empty())
    {
-      Array<int> surfaces;
-      Append(mesh, frame.around, surfaces);
-      return CenterOfCircle(mesh.Get(), surfaces, frame.axis);
+      return CenterOfCircle(mesh.Get(), NamedBoundaries(mesh, frame.around),
+                            frame.axis);
    }
    if (frame.between.empty())
    {
@@ -240,16 +214,14 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    CheckSupports(setup, mesh, FindBodies(mesh, problem.Spaces()), reading);
    reading.ThrowIfAny();
 
-   SetMaterials(setup);
-   try
+   for (size_t i = 0; i < setup.materials.size(); i++)
    {
-      problem.VerifyMaterials();
+      reading.Catch("material." + std::to_string(i),
+                    [&]() { SetMaterial(setup.materials[i]); });
    }
-   catch (const Error &error) // on all ranks alike
-   {
-      reading.AddError("material", error.what());
-      reading.ThrowIfAny();
-   }
+   reading.ThrowIfAny();
+   reading.Catch("material", [&]() { problem.VerifyMaterials(); });
+   reading.ThrowIfAny();
    for (const BoundaryCase &boundary : setup.boundaries)
    {
       SetBoundary(boundary);
@@ -274,31 +246,18 @@ const SolidLaw &CaseProblem::AddSolid(const SolidCase &solid, LawArguments from)
    return *solids.back();
 }
 
-void CaseProblem::SetMaterials(const CaseFile &setup)
+void CaseProblem::SetMaterial(const MaterialCase &material)
 {
-   for (size_t i = 0; i < setup.materials.size(); i++)
+   frames.push_back(MakeFrame(material.frame, problem.Mesh()));
+   LawArguments from{{}, *frames.back(), material.solid_fraction, {}};
+   const SolidLaw &solid = AddSolid(material.solid, from);
+   from.values = material.permeability.parameters;
+   permeabilities.push_back(
+      PermeabilityLaws().Make(material.permeability.model, from));
+   for (const std::string &region : material.regions)
    {
-      const MaterialCase &material = setup.materials[i];
-      try
-      {
-         frames.push_back(MakeFrame(material.frame, problem.Mesh()));
-         LawArguments from{{}, *frames.back(), material.solid_fraction, {}};
-         const SolidLaw &solid = AddSolid(material.solid, from);
-         from.values = material.permeability.parameters;
-         permeabilities.push_back(
-            PermeabilityLaws().Make(material.permeability.model, from));
-         for (const std::string &region : material.regions)
-         {
-            problem.SetMaterial(region, solid, *permeabilities.back(),
-                                material.solid_fraction);
-         }
-      }
-      catch (const Error &error) // on all ranks alike
-      {
-         CaseReading reading(setup.places);
-         reading.AddError("material." + std::to_string(i), error.what());
-         reading.ThrowIfAny();
-      }
+      problem.SetMaterial(region, solid, *permeabilities.back(),
+                          material.solid_fraction);
    }
 }
 

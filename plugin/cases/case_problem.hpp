@@ -27,7 +27,7 @@ public:
    const BiphasicProblem &Get() const { return problem; }
 
 private:
-   void SetMaterials(const CaseFile &setup);
+   void SetMaterial(const MaterialCase &material);
    /// Makes the law, and those that it is made of.
    const SolidLaw &AddSolid(const SolidCase &solid, LawArguments from);
    void SetBoundary(const BoundaryCase &boundary);

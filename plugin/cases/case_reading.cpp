@@ -1,5 +1,5 @@
 #include "synovia/cases/case_reading.hpp"
-#include "synovia/general/error.hpp"
+#include "synovia/cases/key_names.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -52,12 +52,6 @@ void CaseReading::AddError(const std::string &path, const std::string &problem)
    complaints.push_back({place, path, Prefixed(place, path) + ": " + problem});
 }
 
-void CaseReading::Expect(const std::string &path, const std::string &expected,
-                         const CaseValue &found)
-{
-   AddError(path, "found " + found.Describe() + "; expected " + expected);
-}
-
 bool CaseReading::HasError(const std::string &path) const
 {
    return std::any_of(complaints.begin(), complaints.end(),
@@ -89,6 +83,35 @@ void CaseReading::ThrowIfAny() const
          "\n  and " + std::to_string(sorted.size() - most_complaints) + " more";
    }
    throw Error(text);
+}
+
+CaseInput::CaseInput(const CaseValue &value_, const std::string &path_,
+                     CaseReading &reading_)
+   : value(value_), path(path_), reading(reading_)
+{
+}
+
+CaseInput CaseInput::Item(size_t i) const
+{
+   return Member(std::to_string(i), value.items[i]);
+}
+
+CaseInput CaseInput::Member(const std::string &key,
+                            const CaseValue &member) const
+{
+   const std::string here = Joined(path, key);
+   reading.SetPlace(here, member.place);
+   return CaseInput(member, here, reading);
+}
+
+void CaseInput::AddError(const std::string &problem) const
+{
+   reading.AddError(path, problem);
+}
+
+void CaseInput::Expect(const std::string &expected) const
+{
+   AddError("found " + value.Describe() + "; expected " + expected);
 }
 
 } // namespace synovia

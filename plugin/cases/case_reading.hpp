@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/cases/case_value.hpp"
+#include "synovia/general/error.hpp"
 
 #include <map>
 #include <string>
@@ -28,12 +29,22 @@ public:
    const CasePlaces &Places() const { return places; }
 
    void AddError(const std::string &path, const std::string &problem);
-   /// For a value of the wrong type.
-   void Expect(const std::string &path, const std::string &expected,
-               const CaseValue &found);
    /// Whether there is a complaint about this path.
    bool HasError(const std::string &path) const;
    size_t Count() const { return complaints.size(); }
+   /// Calls @a what; an Error that it throws becomes one of this path.
+   template <typename Function>
+   void Catch(const std::string &path, Function what)
+   {
+      try
+      {
+         what();
+      }
+      catch (const Error &error)
+      {
+         AddError(path, error.what());
+      }
+   }
 
    /// Throws Error with the complaints in the order of the file, ten of them at
    /// most, a line each, if there are any.
@@ -49,6 +60,37 @@ private:
 
    CasePlaces places;
    std::vector<CaseError> complaints;
+};
+
+/// A value of a case that is being read: what was written, under which path,
+/// and the reading that it belongs to.
+class CaseInput
+{
+public:
+   /// Borrows @a value and @a reading.
+   CaseInput(const CaseValue &value, const std::string &path,
+             CaseReading &reading);
+
+   const CaseValue &Value() const { return value; }
+   const CaseValue *operator->() const { return &value; }
+   const std::string &Path() const { return path; }
+   CaseReading &Reading() const { return reading; }
+   bool Is(CaseValue::Type type) const { return value.type == type; }
+
+   /// The entry of a list, and what is under a key of a table; their paths get
+   /// their places.
+   CaseInput Item(size_t i) const;
+   CaseInput Member(const std::string &key, const CaseValue &member) const;
+
+   void AddError(const std::string &problem) const;
+   /// For a value of the wrong type.
+   void Expect(const std::string &expected) const;
+   bool HasError() const { return reading.HasError(path); }
+
+private:
+   const CaseValue &value;
+   std::string path;
+   CaseReading &reading;
 };
 
 } // namespace synovia

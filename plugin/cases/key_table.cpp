@@ -26,24 +26,22 @@ public:
    {
       return value == 0.0 ? Quoted(auto_word) : ShortestNumber(value);
    }
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading) override
+   void Read(const CaseInput &from) override
    {
-      if (from.type == CaseValue::Type::text)
+      if (from.Is(CaseValue::Type::text))
       {
-         if (ReadWord(from, path, {auto_word}, reading) == 0)
+         if (ReadWord(from, {auto_word}) == 0)
          {
             value = 0.0;
          }
          return;
       }
-      ReadValue(from, path, value, reading);
+      ReadValue(from, value);
       // In a file the word says it.
-      if (!reading.HasError(path) && !(value > 0.0))
+      if (!from.HasError() && !(value > 0.0))
       {
-         reading.AddError(path, "found " + ToText(value) +
-                                   "; it must be positive, or \"" + auto_word +
-                                   "\"");
+         from.AddError("found " + ToText(value) + "; it must be positive, or " +
+                       Quoted(auto_word));
       }
    }
    std::optional<real_t> Number() const override { return value; }
@@ -52,29 +50,12 @@ private:
    real_t &value;
 };
 
-/// One of several words, as it is.
-class ChoiceBinding : public KeyBinding
+/// A word that chooses further keys: they are listed with each of the words.
+class ChoiceBinding : public WordBinding<std::string>
 {
 public:
-   ChoiceBinding(std::string &word_, std::vector<std::string> words_)
-      : word(word_), words(std::move(words_))
-   {
-   }
+   using WordBinding::WordBinding;
    std::string Type() const override { return "word"; }
-   TomlText Text() const override { return Quoted(word); }
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading) override
-   {
-      const int found = ReadWord(from, path, words, reading);
-      if (found >= 0)
-      {
-         word = words[found];
-      }
-   }
-
-private:
-   std::string &word;
-   std::vector<std::string> words;
 };
 } // namespace
 
@@ -106,26 +87,6 @@ CaseKey &CaseKey::In(const NumberRange &range_)
 {
    range = range_;
    return *this;
-}
-
-CaseKey &CaseKey::Positive()
-{
-   return In(NumberRange::Positive());
-}
-
-CaseKey &CaseKey::AtLeast(real_t least)
-{
-   return In(NumberRange::AtLeast(least));
-}
-
-CaseKey &CaseKey::From(real_t least, real_t most)
-{
-   return In(NumberRange::From(least, most));
-}
-
-CaseKey &CaseKey::Inside(real_t least, real_t most)
-{
-   return In(NumberRange::Inside(least, most));
 }
 
 std::string WordsType(const std::vector<std::string> &words)
@@ -170,10 +131,10 @@ CaseKey &KeyTable::Choice(const std::string &name, std::string &word,
                           std::function<KeyTable(const std::string &)> describe,
                           const std::string &meaning)
 {
-   std::vector<std::string> words;
+   KeyWords<std::string> words;
    for (const Alternative &alternative : alternatives)
    {
-      words.push_back(alternative.word);
+      words.emplace_back(alternative.word, alternative.word);
    }
    chosen = Chosen{name, &word, alternatives, std::move(describe)};
    return Bind(name, std::make_unique<ChoiceBinding>(word, words), "", meaning);

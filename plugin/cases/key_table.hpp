@@ -25,8 +25,7 @@ public:
    virtual TomlText Text() const = 0;
    /// Whether it has a value, for what can be without.
    virtual bool IsSet() const { return true; }
-   virtual void Read(const CaseValue &from, const std::string &path,
-                     CaseReading &reading) = 0;
+   virtual void Read(const CaseInput &from) = 0;
    /// The present value where it is one number.
    virtual std::optional<mfem::real_t> Number() const { return std::nullopt; }
 };
@@ -69,11 +68,17 @@ struct CaseKey
    CaseKey &Formerly(const std::string &former_name_);
    CaseKey &Named(const std::string &noun_);
    CaseKey &In(const NumberRange &range_);
-   CaseKey &Positive();
-   CaseKey &AtLeast(mfem::real_t least);
+   CaseKey &Positive() { return In(NumberRange::Positive()); }
+   CaseKey &AtLeast(mfem::real_t a) { return In(NumberRange::AtLeast(a)); }
    /// Between the two, which are allowed too, or are not.
-   CaseKey &From(mfem::real_t least, mfem::real_t most);
-   CaseKey &Inside(mfem::real_t least, mfem::real_t most);
+   CaseKey &From(mfem::real_t a, mfem::real_t b)
+   {
+      return In(NumberRange::From(a, b));
+   }
+   CaseKey &Inside(mfem::real_t a, mfem::real_t b)
+   {
+      return In(NumberRange::Inside(a, b));
+   }
 };
 
 /// The keys of a table, bound to the members of a struct that must outlive it.
@@ -116,8 +121,7 @@ public:
 
    /// Sets the values that @a from has, and complains about keys that there
    /// aren't, wrong types, and what is missing.
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading);
+   void Read(const CaseInput &from);
    /// Complains about numbers out of range, except where there is a complaint
    /// already.
    void Check(const std::string &path, CaseReading &reading);
@@ -162,14 +166,10 @@ private:
    std::vector<std::string> Names() const;
    /// Adds the keys that go with the present word, once there is a valid one.
    void AddChosen();
-   void ReadChoice(const CaseValue &from, const std::string &path,
-                   CaseReading &reading);
-   void RefuseUnknown(const CaseValue &from, const std::string &path,
-                      CaseReading &reading) const;
-   void ReadKey(CaseKey &key, const CaseValue &from, const std::string &path,
-                CaseReading &reading);
-   void ReadList(CaseKey &key, const CaseValue &from, const std::string &path,
-                 CaseReading &reading);
+   void ReadChoice(const CaseInput &from);
+   void RefuseUnknown(const CaseInput &from) const;
+   static void ReadKey(CaseKey &key, const CaseInput &from);
+   static void ReadList(CaseKey &key, const CaseInput &from);
    TomlText Inline();
    static TomlText InlineValue(CaseKey &key);
    void Collect(const std::string &path, std::vector<Line> &lines);
@@ -184,13 +184,9 @@ class ValueBinding : public KeyBinding
 {
 public:
    explicit ValueBinding(T &value_) : value(value_) {}
-   std::string Type() const override { return TypeOf(value); }
+   std::string Type() const override { return type_name<T>; }
    TomlText Text() const override { return TextOf(value); }
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading) override
-   {
-      ReadValue(from, path, value, reading);
-   }
+   void Read(const CaseInput &from) override { ReadValue(from, value); }
    std::optional<mfem::real_t> Number() const override
    {
       if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
@@ -205,8 +201,7 @@ private:
 };
 
 /// Reads one of @a words; the number of it, or -1 with a complaint.
-int ReadWord(const CaseValue &from, const std::string &path,
-             const std::vector<std::string> &words, CaseReading &reading);
+int ReadWord(const CaseInput &from, const std::vector<std::string> &words);
 /// The words as a type: "a", "b" or "c".
 std::string WordsType(const std::vector<std::string> &words);
 
@@ -234,10 +229,9 @@ public:
       }
       return std::nullopt;
    }
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading) override
+   void Read(const CaseInput &from) override
    {
-      const int word = ReadWord(from, path, names, reading);
+      const int word = ReadWord(from, names);
       if (word >= 0)
       {
          value = meanings[word];

@@ -9,143 +9,126 @@ namespace synovia
 
 using namespace mfem;
 
-int ReadWord(const CaseValue &from, const std::string &path,
-             const std::vector<std::string> &words, CaseReading &reading)
+int ReadWord(const CaseInput &from, const std::vector<std::string> &words)
 {
-   if (from.type != CaseValue::Type::text)
+   if (!from.Is(CaseValue::Type::text))
    {
-      reading.Expect(path, WordsType(words), from);
+      from.Expect(WordsType(words));
       return -1;
    }
-   const auto found = std::find(words.begin(), words.end(), from.text);
+   const auto found = std::find(words.begin(), words.end(), from->text);
    if (found == words.end())
    {
-      reading.AddError(path, "found " + from.Describe() + "; expected " +
-                                WordsType(words) +
-                                DidYouMean(from.text, words));
+      from.Expect(WordsType(words) + DidYouMean(from->text, words));
       return -1;
    }
    return static_cast<int>(found - words.begin());
 }
 
-void KeyTable::ReadList(CaseKey &key, const CaseValue &from,
-                        const std::string &path, CaseReading &reading)
+void KeyTable::ReadList(CaseKey &key, const CaseInput &from)
 {
    const auto is_table = [](const CaseValue &item)
    { return item.type == CaseValue::Type::table; };
-   if (from.type != CaseValue::Type::list ||
-       !std::all_of(from.items.begin(), from.items.end(), is_table))
+   if (!from.Is(CaseValue::Type::list) ||
+       !std::all_of(from->items.begin(), from->items.end(), is_table))
    {
-      reading.Expect(path,
-                     "tables, each of them under a line [[" + key.name +
-                        "]], or all in one list",
-                     from);
+      from.Expect("tables, each of them under a line [[" + key.name +
+                  "]], or all in one list");
       return;
    }
-   key.list->resize(from.items.size());
-   for (size_t i = 0; i < from.items.size(); i++)
+   key.list->resize(from->items.size());
+   for (size_t i = 0; i < from->items.size(); i++)
    {
-      const std::string here = Joined(path, std::to_string(i));
-      reading.SetPlace(here, from.items[i].place);
-      key.list->entry(i).Read(from.items[i], here, reading);
+      key.list->entry(i).Read(from.Item(i));
    }
 }
 
-void KeyTable::ReadKey(CaseKey &key, const CaseValue &from,
-                       const std::string &path, CaseReading &reading)
+void KeyTable::ReadKey(CaseKey &key, const CaseInput &from)
 {
    if (key.value)
    {
-      key.value->Read(from, path, reading);
+      key.value->Read(from);
    }
    else if (key.table)
    {
-      key.table->Read(from, path, reading);
+      key.table->Read(from);
    }
    else
    {
-      ReadList(key, from, path, reading);
+      ReadList(key, from);
    }
 }
 
-void KeyTable::Read(const CaseValue &from, const std::string &path,
-                    CaseReading &reading)
+void KeyTable::Read(const CaseInput &from)
 {
-   if (from.type != CaseValue::Type::table)
+   if (!from.Is(CaseValue::Type::table))
    {
-      reading.Expect(path, "a table", from);
+      from.Expect("a table");
       return;
    }
-   ReadChoice(from, path, reading);
-   RefuseUnknown(from, path, reading);
+   ReadChoice(from);
+   RefuseUnknown(from);
    for (CaseKey &key : keys)
    {
-      const CaseValue *value = key.FindIn(from);
+      const CaseValue *const value = key.FindIn(from.Value());
       if (value && !(chosen && chosen->key == key.name))
       {
-         const std::string here = Joined(path, key.name);
-         reading.SetPlace(here, value->place);
-         ReadKey(key, *value, here, reading);
+         ReadKey(key, from.Member(key.name, *value));
       }
    }
    for (CaseKey &key : keys)
    {
-      const std::string here = Joined(path, key.name);
-      const bool given = key.FindIn(from) != nullptr;
-      if (!key.former_name.empty() && from.Find(key.former_name) &&
-          from.Find(key.name))
+      const std::string here = Joined(from.Path(), key.name);
+      const bool given = key.FindIn(from.Value()) != nullptr;
+      if (!key.former_name.empty() && from->Find(key.former_name) &&
+          from->Find(key.name))
       {
-         reading.AddError(here, "it is there as \"" + key.former_name +
-                                   "\", its former name, too");
+         from.Reading().AddError(here, "it is there as " +
+                                          Quoted(key.former_name) +
+                                          ", its former name, too");
       }
       if (!given && key.required)
       {
-         reading.AddError(here,
-                          "this is missing" + (key.meaning.empty()
-                                                  ? std::string()
-                                                  : " (" + key.meaning + ")"));
+         from.Reading().AddError(
+            here, "this is missing" +
+                     (key.meaning.empty() ? "" : " (" + key.meaning + ")"));
       }
       else if (!given && key.table)
       {
-         CaseValue nothing;
-         nothing.place = from.place;
-         key.table->Read(nothing, here, reading);
+         key.table->Read(CaseInput(CaseValue(), here, from.Reading()));
       }
    }
 }
 
-void KeyTable::ReadChoice(const CaseValue &from, const std::string &path,
-                          CaseReading &reading)
+void KeyTable::ReadChoice(const CaseInput &from)
 {
    if (!chosen)
    {
       return;
    }
-   const std::string here = Joined(path, chosen->key);
-   if (const CaseValue *value = from.Find(chosen->key))
+   if (const CaseValue *value = from->Find(chosen->key))
    {
-      reading.SetPlace(here, value->place);
       const auto key = std::find_if(keys.begin(), keys.end(),
                                     [&](const CaseKey &one)
                                     { return one.name == chosen->key; });
-      key->value->Read(*value, here, reading);
+      key->value->Read(from.Member(chosen->key, *value));
    }
-   if (!reading.HasError(here))
+   if (!from.Reading().HasError(Joined(from.Path(), chosen->key)))
    {
       AddChosen();
    }
 }
 
-void KeyTable::RefuseUnknown(const CaseValue &from, const std::string &path,
-                             CaseReading &reading) const
+void KeyTable::RefuseUnknown(const CaseInput &from) const
 {
-   for (const CaseValue::Member &member : from.members)
+   for (const CaseValue::Member &member : from->members)
    {
       if (Find(member.key))
       {
          continue;
       }
-      const std::string here = Joined(path, member.key);
+      CaseReading &reading = from.Reading();
+      const std::string here = Joined(from.Path(), member.key);
       const std::string others = chosen ? chosen->ThoseWith(member.key) : "";
       reading.SetPlace(here, member.place);
       if (others.empty())

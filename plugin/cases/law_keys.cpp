@@ -21,19 +21,18 @@ public:
       : parameter(parameter_), values(values_)
    {
    }
-   std::string Type() const override { return TypeOf(real_t()); }
+   std::string Type() const override { return type_name<real_t>; }
    TomlText Text() const override
    {
       const std::optional<real_t> number = Number();
       return number ? TextOf(*number) : TomlText();
    }
    bool IsSet() const override { return Number().has_value(); }
-   void Read(const CaseValue &from, const std::string &path,
-             CaseReading &reading) override
+   void Read(const CaseInput &from) override
    {
       real_t value = 0.0;
-      ReadValue(from, path, value, reading);
-      if (!reading.HasError(path))
+      ReadValue(from, value);
+      if (!from.HasError())
       {
          values[parameter.name] = value;
       }

@@ -1,6 +1,7 @@
 #include "synovia/checks/body_shape.hpp"
 #include "synovia/checks/triangulated_surface.hpp"
 #include "synovia/general/reduce_lists.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,6 @@ using namespace mfem;
 
 namespace
 {
-void Append(const NamedMesh &mesh, const BoundaryCase &boundary,
-            Array<int> &attributes)
-{
-   for (const std::string &name : boundary.surfaces)
-   {
-      attributes.Append(mesh.Boundary(name));
-   }
-}
-
 bool Moves(const std::optional<LoadCurve> &displacement)
 {
    if (!displacement)
@@ -47,7 +39,7 @@ Array<int> LoadedSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    {
       if (Presses(boundary))
       {
-         Append(mesh, boundary, loaded);
+         loaded.Append(NamedBoundaries(mesh, boundary.surfaces));
       }
    }
    return loaded;
@@ -134,7 +126,7 @@ Array<int> DrainingSurfaces(const CaseFile &setup, const NamedMesh &mesh)
    {
       if (boundary.pressure)
       {
-         Append(mesh, boundary, draining);
+         draining.Append(NamedBoundaries(mesh, boundary.surfaces));
       }
    }
    return draining;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "synovia/cases/case_problem.hpp"
-#include "synovia/cases/contact_check.hpp"
+#include "synovia/checks/contact_check.hpp"
 #include "synovia/checks/region_measures.hpp"
 #include "synovia/fem/body.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/cases/contact_check.hpp"
+#include "synovia/checks/contact_check.hpp"
 #include "synovia/checks/region_measures.hpp"
 
 #include <string>

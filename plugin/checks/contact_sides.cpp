@@ -4,6 +4,7 @@
 #include "synovia/checks/vertex_normals.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/reduce_lists.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +16,6 @@ using namespace mfem;
 
 namespace
 {
-Array<int> Attributes(const NamedMesh &mesh,
-                      const std::vector<std::string> &names)
-{
-   Array<int> attributes;
-   for (const std::string &name : names)
-   {
-      attributes.Append(mesh.Boundary(name));
-   }
-   return attributes;
-}
-
 Box BoxOf(ParMesh &mesh, const Array<int> &surfaces)
 {
    // Lows, and highs with their signs turned.
@@ -179,9 +169,10 @@ MeasureContactSides(const CaseFile &setup, CaseProblem &problem,
    std::vector<ContactSides> all;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      const Array<int> source = Attributes(named, setup.contacts[i].source);
+      const Array<int> source =
+         NamedBoundaries(named, setup.contacts[i].source);
       const Array<int> destination =
-         Attributes(named, setup.contacts[i].destination);
+         NamedBoundaries(named, setup.contacts[i].destination);
       Box near_source = BoxOf(named.Get(), source);
       Box near_destination = BoxOf(named.Get(), destination);
       near_source.Inflate(pairs[i].search_radius);

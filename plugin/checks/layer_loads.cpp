@@ -1,5 +1,6 @@
 #include "synovia/checks/layer_loads.hpp"
 #include "synovia/checks/surface_measures.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +14,6 @@ namespace
 {
 // A surface whose normals cancel out to less than this has no direction.
 constexpr real_t least_direction = 0.1;
-
-Array<int> Attributes(const NamedMesh &mesh,
-                      const std::vector<std::string> &names)
-{
-   Array<int> attributes;
-   for (const std::string &name : names)
-   {
-      attributes.Append(mesh.Boundary(name));
-   }
-   attributes.Sort();
-   attributes.Unique();
-   return attributes;
-}
 
 /// What is known of the bodies, by their number.
 class Layers
@@ -100,9 +88,9 @@ private:
       for (size_t i = 0; i < setup.contacts.size(); i++)
       {
          const int source =
-            BodyWith(Attributes(mesh, setup.contacts[i].source));
+            BodyWith(NamedBoundaries(mesh, setup.contacts[i].source));
          const int destination =
-            BodyWith(Attributes(mesh, setup.contacts[i].destination));
+            BodyWith(NamedBoundaries(mesh, setup.contacts[i].destination));
          if (body == source || body == destination)
          {
             partners.push_back(
@@ -188,7 +176,7 @@ LayerLoads FindLayerLoads(const CaseFile &setup, CaseProblem &problem,
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
       const BoundaryCase &boundary = setup.boundaries[i];
-      const Array<int> attributes = Attributes(mesh, boundary.surfaces);
+      const Array<int> attributes = NamedBoundaries(mesh, boundary.surfaces);
       const int b = layers.BodyWith(attributes);
       if (b < 0)
       {

@@ -1,6 +1,7 @@
 #include "synovia/checks/loose_bodies.hpp"
 #include "synovia/checks/contact_grip.hpp"
 #include "synovia/general/text_table.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/physics/rigid_freedoms.hpp"
 
 #include <algorithm>
@@ -21,14 +22,8 @@ constexpr real_t touching = 0.01;
 
 Array<int> SurfacesOf(const ContactCase &contact, const NamedMesh &mesh)
 {
-   Array<int> surfaces;
-   for (const auto *names : {&contact.source, &contact.destination})
-   {
-      for (const std::string &name : *names)
-      {
-         surfaces.Append(mesh.Boundary(name));
-      }
-   }
+   Array<int> surfaces = NamedBoundaries(mesh, contact.source);
+   surfaces.Append(NamedBoundaries(mesh, contact.destination));
    return surfaces;
 }
 

@@ -4,6 +4,7 @@
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 #include <algorithm>
 
@@ -143,14 +144,7 @@ void BiphasicProblem::AddContact(const std::vector<std::string> &sources,
 Array<int>
 BiphasicProblem::Boundaries(const std::vector<std::string> &names) const
 {
-   Array<int> attributes;
-   for (const std::string &name : names)
-   {
-      attributes.Append(mesh.Boundary(name));
-   }
-   attributes.Sort();
-   attributes.Unique();
-   return attributes;
+   return NamedBoundaries(mesh, names);
 }
 
 void BiphasicProblem::SetNonlinearOptions(const NonlinearOptions &options)

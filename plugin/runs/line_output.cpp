@@ -10,14 +10,11 @@ LineOutput::LineOutput(const CaseFile &setup, BiphasicProblem &problem_)
    CaseReading reading(setup.places);
    for (size_t i = 0; i < setup.output.lines.size(); i++)
    {
-      try
-      {
-         samplers.emplace_back(problem.Mesh(), setup.output.lines[i].line);
-      }
-      catch (const Error &error) // on all ranks alike
-      {
-         reading.AddError("output.line." + std::to_string(i), error.what());
-      }
+      reading.Catch("output.line." + std::to_string(i),
+                    [&]() {
+                       samplers.emplace_back(problem.Mesh(),
+                                             setup.output.lines[i].line);
+                    });
    }
    reading.ThrowIfAny();
 }

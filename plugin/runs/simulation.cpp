@@ -1,7 +1,7 @@
 #include "synovia/runs/simulation.hpp"
 #include "synovia/cases/case_mesh.hpp"
-#include "synovia/cases/contact_check.hpp"
 #include "synovia/checks/case_warnings.hpp"
+#include "synovia/checks/contact_check.hpp"
 #include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/general/root_rank.hpp"
 #include "synovia/general/text.hpp"

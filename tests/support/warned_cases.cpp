@@ -1,7 +1,7 @@
 #include "support/warned_cases.hpp"
 #include "support/round_meshes.hpp"
-#include "synovia/cases/contact_check.hpp"
 #include "synovia/checks/case_warnings.hpp"
+#include "synovia/checks/contact_check.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include "synovia/cases/contact_check.hpp"
-#include "synovia/general/error.hpp"
+#include "synovia/checks/contact_check.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/physics/first_approach.hpp"
 
 #include <algorithm>
@@ -27,19 +27,6 @@ real_t LeastGap(const ContactPair &pair)
    }
    return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
 }
-
-Array<int> Attributes(const NamedMesh &mesh,
-                      const std::vector<std::string> &names)
-{
-   Array<int> all;
-   for (const std::string &name : names)
-   {
-      all.Append(mesh.Boundary(name));
-   }
-   all.Sort();
-   all.Unique();
-   return all;
-}
 } // namespace
 
 std::vector<PairAtStart> CheckContact(const CaseFile &setup,
@@ -52,16 +39,7 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
    std::vector<PairAtStart> found;
    CaseReading reading(setup.places);
    const auto complain = [&](size_t i, auto check)
-   {
-      try
-      {
-         check();
-      }
-      catch (const Error &error) // on all ranks alike
-      {
-         reading.AddError("contact." + std::to_string(i), error.what());
-      }
-   };
+   { reading.Catch("contact." + std::to_string(i), check); };
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
       const ContactCase &contact = setup.contacts[i];
@@ -70,9 +48,9 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                {
                   pairs.push_back(std::make_unique<ContactPair>(
                      contact.Name(), spaces, problem.Get().Materials(),
-                     Attributes(mesh, contact.source),
-                     Attributes(mesh, contact.destination), contact.options,
-                     problem.Get().GetDeformation(),
+                     NamedBoundaries(mesh, contact.source),
+                     NamedBoundaries(mesh, contact.destination),
+                     contact.options, problem.Get().GetDeformation(),
                      setup.solver.tuning.contact));
                   borrowed.push_back(pairs.back().get());
                   borrowed.back()->SearchReference();
