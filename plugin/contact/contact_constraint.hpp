@@ -52,8 +52,8 @@ public:
       return false;
    }
    /// Whether another search where the surfaces were evaluated last would find
-   /// other partners, so that what was evaluated is less exact than it may be.
-   virtual bool HasDrifted() const { return false; }
+   /// other gaps, by more than a part of their tolerance, or other areas.
+   virtual bool HasDrifted() { return false; }
 
    /// At the last search. Areas are those that tractions and fluxes refer to,
    /// but for what is covered of a face, which is its present area.

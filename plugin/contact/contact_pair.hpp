@@ -47,7 +47,7 @@ public:
    void SearchReference() { constraint->SearchReference(); }
    void SearchAt(const mfem::Vector &u) { constraint->SearchAt(u); }
    bool Search(const mfem::Vector &u);
-   bool HasDrifted() const { return constraint->HasDrifted(); }
+   bool HasDrifted() { return constraint->HasDrifted(); }
    /// Brings the derivatives among Factors() to the last tractions and fluxes,
    /// and pressures @a p; says whether they are others than before. Collective.
    bool Linearize(const mfem::Vector &p);

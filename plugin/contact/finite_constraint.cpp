@@ -2,28 +2,20 @@
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
 
 using namespace mfem;
 
-namespace
-{
-bool SameOnAllRanks(const Vector &a, const Vector &b, MPI_Comm comm)
-{
-   a.HostRead();
-   b.HostRead();
-   const bool same =
-      a.Size() == b.Size() && std::equal(a.begin(), a.end(), b.begin());
-   return !AnyRank(!same, comm);
-}
-} // namespace
-
 FiniteConstraint::FiniteConstraint(ContactGeometry &geometry_,
-                                   InitialOverlap initial_overlap_)
+                                   InitialOverlap initial_overlap_,
+                                   real_t gap_tolerance_)
    : geometry(geometry_), initial_overlap(initial_overlap_),
-     gaps(geometry.Source(), geometry.Destination(), geometry.Options()),
+     gap_tolerance(gap_tolerance_),
+     gaps(std::make_unique<FiniteGap>(geometry.Source(), geometry.Destination(),
+                                      geometry.Options())),
      removed_overlap(geometry.DestinationAreas().Size())
 {
    removed_overlap = 0.0;
@@ -38,20 +30,74 @@ void FiniteConstraint::SearchReference()
    Vector undeformed(geometry.Source().Spaces().Displacement().GetTrueVSize());
    undeformed = 0.0;
    SearchAt(undeformed);
-   const Vector overlap = geometry.FindOverlap(Coverage(), gaps.Gap());
+   const Vector overlap = geometry.FindOverlap(Coverage(), gaps->Gap());
    if (initial_overlap == InitialOverlap::remove)
    {
       removed_overlap = overlap;
    }
 }
 
+bool FiniteConstraint::IsAt(const Vector &u) const
+{
+   u.HostRead();
+   const bool same = u.Size() == displacement.Size() &&
+                     std::equal(u.begin(), u.end(), displacement.begin());
+   return !AnyRank(!same, geometry.Destination().Spaces().GetComm());
+}
+
 void FiniteConstraint::SearchAt(const Vector &u)
 {
-   geometry.SetDisplacement(u);
-   displacement = u;
-   gaps.Search();
-   geometry.LeaveOutSlivers(gaps.Operators());
+   if (!searched_anew || !IsAt(u))
+   {
+      geometry.SetDisplacement(u);
+      displacement = u;
+      searched_anew = SearchAnew();
+   }
+   gaps = std::move(searched_anew);
    linearized = false;
+}
+
+std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
+{
+   auto found = std::make_unique<FiniteGap>(
+      geometry.Source(), geometry.Destination(), geometry.Options());
+   found->Search();
+   geometry.LeaveOutSlivers(found->Operators());
+   return found;
+}
+
+bool FiniteConstraint::HasDrifted()
+{
+   if (!gaps->HasDrifted())
+   {
+      return false;
+   }
+   searched_anew = SearchAnew();
+   return AnyRank(Differs(*searched_anew),
+                  geometry.Destination().Spaces().GetComm());
+}
+
+bool FiniteConstraint::Differs(const FiniteGap &other) const
+{
+   // A small part of what is left open anyway; where surfaces are far from each
+   // other a part of how far.
+   constexpr real_t part_of_tolerance = 0.1;
+   constexpr real_t part_of_gap = 0.01;
+   constexpr real_t part_of_area = 1e-3;
+   const Vector &areas = gaps->Operators().area;
+   const Vector &other_areas = other.Operators().area;
+   for (int j = 0; j < areas.Size(); j++)
+   {
+      const real_t gap = gaps->Gap()[j];
+      const real_t limit =
+         part_of_tolerance * gap_tolerance + part_of_gap * std::abs(gap);
+      if (std::abs(other_areas[j] - areas[j]) > part_of_area * areas[j] ||
+          (areas[j] > 0.0 && std::abs(other.Gap()[j] - gap) > limit))
+      {
+         return true;
+      }
+   }
+   return false;
 }
 
 bool FiniteConstraint::Search(const Vector &u)
@@ -69,17 +115,17 @@ bool FiniteConstraint::Search(const Vector &u)
 void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
                                 Vector &jump, Vector &pressure)
 {
-   if (!SameOnAllRanks(u, displacement,
-                       geometry.Destination().Spaces().GetComm()))
+   if (!IsAt(u))
    {
       geometry.SetDisplacement(u);
       displacement = u;
-      gaps.Follow();
-      geometry.LeaveOutSlivers(gaps.Operators());
+      searched_anew.reset();
+      gaps->Follow();
+      geometry.LeaveOutSlivers(gaps->Operators());
       linearized = false;
    }
-   const GapOperators &operators = gaps.Operators();
-   gap = gaps.Gap();
+   const GapOperators &operators = gaps->Operators();
+   gap = gaps->Gap();
    for (int j = 0; j < gap.Size(); j++)
    {
       gap[j] += operators.area[j] > 0.0 ? removed_overlap[j] : 0.0;
@@ -90,7 +136,7 @@ void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
 bool FiniteConstraint::Linearize(const Vector &p, const Vector &nodal_force,
                                  const Vector &nodal_flow)
 {
-   gaps.Linearize(p, nodal_force, nodal_flow);
+   gaps->Linearize(p, nodal_force, nodal_flow);
    linearized = true;
    return true;
 }
@@ -98,14 +144,14 @@ bool FiniteConstraint::Linearize(const Vector &p, const Vector &nodal_force,
 ContactFactors FiniteConstraint::Factors() const
 {
    ContactFactors factors;
-   factors.gap = factors.gap_change = gaps.Operators().gap.get();
-   factors.jump = gaps.Operators().jump.get();
+   factors.gap = factors.gap_change = gaps->Operators().gap.get();
+   factors.jump = gaps->Operators().jump.get();
    if (linearized)
    {
-      factors.gap_change = &gaps.GapChange();
-      factors.jump_change = &gaps.JumpChange();
-      factors.force_change = &gaps.ForceChange();
-      factors.outflow_change = &gaps.OutflowChange();
+      factors.gap_change = &gaps->GapChange();
+      factors.jump_change = &gaps->JumpChange();
+      factors.force_change = &gaps->ForceChange();
+      factors.outflow_change = &gaps->OutflowChange();
    }
    return factors;
 }

@@ -9,13 +9,15 @@ namespace synovia
 
 /// Gap and jump in finite deformation: surfaces look for each other anew in
 /// each stage, points follow the displacement in between, and Linearize() gives
-/// complete derivatives; see FiniteGap. Tractions and fluxes are per reference
-/// area of the destination.
+/// complete derivatives; see FiniteGap. Where points have gone to other faces,
+/// HasDrifted() searches, and the next SearchAt() takes what it found.
+/// Tractions and fluxes are per reference area of the destination.
 class FiniteConstraint : public ContactConstraint
 {
 public:
-   /// Borrows @a geometry.
-   FiniteConstraint(ContactGeometry &geometry, InitialOverlap initial_overlap);
+   /// Borrows @a geometry. @a gap_tolerance: what gaps are closed to (length).
+   FiniteConstraint(ContactGeometry &geometry, InitialOverlap initial_overlap,
+                    mfem::real_t gap_tolerance);
 
    void SearchReference() override;
    void SearchAt(const mfem::Vector &u) override;
@@ -25,23 +27,35 @@ public:
                  mfem::Vector &pressure) override;
    bool Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
                   const mfem::Vector &nodal_flow) override;
-   bool HasDrifted() const override { return gaps.HasDrifted(); }
-   const ContactCoverage &Coverage() const override { return gaps.Operators(); }
+   bool HasDrifted() override;
+   const ContactCoverage &Coverage() const override
+   {
+      return gaps->Operators();
+   }
    const mfem::Vector &PresentArea() const override
    {
-      return gaps.PresentArea();
+      return gaps->PresentArea();
    }
    const std::array<mfem::Vector, 3> &PresentNormalArea() const override
    {
-      return gaps.PresentNormalArea();
+      return gaps->PresentNormalArea();
    }
    ContactFactors Factors() const override;
    void Archive(StateArchive &archive, const std::string &prefix) override;
 
 private:
+   /// Whether the surfaces are at displacement @a u, on all ranks.
+   bool IsAt(const mfem::Vector &u) const;
+   std::unique_ptr<FiniteGap> SearchAnew() const;
+   /// Whether gaps or areas are others than ours, on this rank.
+   bool Differs(const FiniteGap &other) const;
+
    ContactGeometry &geometry;
    InitialOverlap initial_overlap;
-   FiniteGap gaps;
+   mfem::real_t gap_tolerance;
+   std::unique_ptr<FiniteGap> gaps;
+   /// Searched where the surfaces are; null if none was since they moved.
+   std::unique_ptr<FiniteGap> searched_anew;
    bool reached = false;
    /// Of the surfaces (true dofs).
    mfem::Vector displacement;

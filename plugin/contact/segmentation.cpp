@@ -278,39 +278,43 @@ private:
    std::map<CornerName, Image> images;
 };
 
-/// The linear function of the plane through the first corner, the one a third
-/// of the way round and the one two thirds round.
+/// The distances at the corners of a polygon as a linear function: the plane
+/// whose normal is the polygon's area vector (Newell), through the mean of the
+/// corners. No three corners would do, as one in the middle of an edge is next
+/// to collinear with its ends.
 class DistancePlane
 {
 public:
    DistancePlane(const Polygon &corners, const std::vector<real_t> &distances)
    {
       const size_t n = corners.size();
-      const size_t j = n / 3;
-      const size_t k = 2 * n / 3;
-      origin = corners[0];
-      value = distances[0];
-      const real_t ax = corners[j][0] - origin[0];
-      const real_t ay = corners[j][1] - origin[1];
-      const real_t bx = corners[k][0] - origin[0];
-      const real_t by = corners[k][1] - origin[1];
-      const real_t det = ax * by - ay * bx;
-      if (det != 0.0)
+      Point3 area{{0.0, 0.0, 0.0}};
+      for (size_t i = 0; i < n; i++)
       {
-         const real_t a = distances[j] - value;
-         const real_t b = distances[k] - value;
-         slope = {(a * by - b * ay) / det, (b * ax - a * bx) / det};
+         const Point3 at = Corner(corners, distances, i);
+         const Point3 next = Corner(corners, distances, (i + 1) % n);
+         area = Sum(area, 1.0, Cross(at, next));
+         mean = Sum(mean, 1.0 / static_cast<real_t>(n), at);
+      }
+      if (area[2] != 0.0)
+      {
+         slope = {-area[0] / area[2], -area[1] / area[2]};
       }
    }
    real_t operator()(const IntegrationPoint &ip) const
    {
-      return value + slope[0] * (ip.x - origin[0]) +
-             slope[1] * (ip.y - origin[1]);
+      return mean[2] + slope[0] * (ip.x - mean[0]) +
+             slope[1] * (ip.y - mean[1]);
    }
 
 private:
-   Point2 origin;
-   real_t value;
+   static Point3 Corner(const Polygon &corners,
+                        const std::vector<real_t> &distances, size_t i)
+   {
+      return {corners[i][0], corners[i][1], distances[i]};
+   }
+
+   Point3 mean{{0.0, 0.0, 0.0}};
    Point2 slope{{0.0, 0.0}};
 };
 

@@ -273,7 +273,7 @@ void BiphasicOperator::LinearizeContact(const Stage &stage)
 bool BiphasicOperator::SearchDrifted(Stage &stage)
 {
    bool drifted = false;
-   for (const ContactPair *pair : pairs)
+   for (ContactPair *pair : pairs)
    {
       drifted = pair->HasDrifted() || drifted;
    }
