@@ -111,6 +111,8 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
          area[j] > 0.0 &&
          (FrictionlessLaw::Bears(trial) || state.gap[j] <= touching ||
           (phase == Phase::augmentation && before.touches));
+      vertex.settled =
+         vertex.touches && before.touches && phase != Phase::prediction;
       vertex.seals = area[j] > 0.0 &&
                      own_area[j] > tuning.sealing_coverage * vertex_areas[j] &&
                      (vertex.touches || state.gap[j] < gap_tolerance ||
@@ -142,6 +144,23 @@ void AugmentedLagrangian::UpdateTractions()
                                     penalties.Jump()[j], state.jump[j])
             : 0.0;
    }
+}
+
+Vector AugmentedLagrangian::LinearizationTraction() const
+{
+   Vector traction(state.traction);
+   for (int j = 0; j < traction.Size(); j++)
+   {
+      if (state.vertices[j].touches && !state.vertices[j].settled)
+      {
+         const real_t stiffness =
+            std::min(penalties.Gap()[j], penalties.Resistance()[j]);
+         traction[j] = std::min<real_t>(
+            0.0, FrictionlessLaw::Traction(state.multiplier[j], stiffness,
+                                           state.gap[j]));
+      }
+   }
+   return traction;
 }
 
 ContactViolations AugmentedLagrangian::FindViolations() const

@@ -71,6 +71,11 @@ public:
    bool UpdateActiveSet(TouchRule rule = TouchRule::traction);
    /// Traction and flux from the last gaps, of the active set as it is.
    void UpdateTractions();
+   /// The traction that the derivatives of nodal forces are to be taken for: of
+   /// vertices that have just come into contact no more than the bodies'
+   /// resistance to their gaps. Penalties are a hundred times as stiff, and
+   /// tractions above the shear modulus make surfaces buckle.
+   mfem::Vector LinearizationTraction() const;
    /// Collective.
    ContactViolations FindViolations() const;
    /// @a peak_pressure as found on all ranks (stress).

@@ -73,7 +73,7 @@ bool ContactPair::Linearize(const Vector &p)
    const Vector &area = Coverage().area;
    Vector nodal_force(area);
    Vector nodal_flow(area);
-   nodal_force *= State().traction;
+   nodal_force *= enforcement.LinearizationTraction();
    nodal_flow *= State().flux;
    return constraint->Linearize(p, nodal_force, nodal_flow);
 }
