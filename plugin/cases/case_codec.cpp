@@ -74,7 +74,7 @@ void ReadInteger(const CaseInput &from, Integer &value)
    }
 }
 
-// False, with a complaint, if it is no list.
+// False, after an error, if it is no list.
 template <typename Item>
 bool ReadItems(const CaseInput &from, const std::string &expected,
                std::vector<Item> &items)
@@ -148,7 +148,7 @@ Numbers ReadPoints(const CaseInput &curve, const std::string &key)
    return points;
 }
 
-// A number or a curve; nothing, with a complaint, if it is neither.
+// A number or a curve; nothing, after an error, if it is neither.
 std::optional<LoadCurve> ReadCurve(const CaseInput &from,
                                    const std::string &expected)
 {

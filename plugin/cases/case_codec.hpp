@@ -62,8 +62,7 @@ TomlText TextOf(const Components &value);
 TomlText TextOf(const Curves &value);
 TomlText TextOf(const MeshGenerator &value);
 
-/// Reads a value; complains about one of another type, and leaves what was
-/// there.
+/// Reads a value; one of another type is an error, and the value stays.
 void ReadValue(const CaseInput &from, bool &value);
 void ReadValue(const CaseInput &from, int &value);
 void ReadValue(const CaseInput &from, long long &value);

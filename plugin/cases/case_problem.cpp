@@ -43,53 +43,30 @@ std::string Path(const std::string &list, size_t i, const std::string &key)
    return list + "." + std::to_string(i) + "." + key;
 }
 
-/// Looks up the names of a case in its mesh, and complains about those that
-/// aren't there.
-class NameCheck
+// Attributes for the names, with an error for each that @a find doesn't know.
+template <typename Find>
+Array<int> FindAll(const std::vector<std::string> &names,
+                   const std::string &path, CaseReading &reading, Find find)
 {
-public:
-   NameCheck(const NamedMesh &mesh_, CaseReading &reading_)
-      : mesh(mesh_), reading(reading_)
+   Array<int> all;
+   for (size_t i = 0; i < names.size(); i++)
    {
+      reading.Catch(path + "." + std::to_string(i),
+                    [&]() { all.Append(find(names[i])); });
    }
+   return all;
+}
 
-   Array<int> Regions(const std::vector<std::string> &names,
-                      const std::string &path)
-   {
-      return Find(names, path, &NamedMesh::Region);
-   }
-   Array<int> Boundaries(const std::vector<std::string> &names,
-                         const std::string &path)
-   {
-      return Find(names, path, &NamedMesh::Boundary);
-   }
-
-private:
-   Array<int> Find(const std::vector<std::string> &names,
-                   const std::string &path,
-                   Array<int> (NamedMesh::*find)(const std::string &) const)
-   {
-      Array<int> all;
-      for (size_t i = 0; i < names.size(); i++)
-      {
-         reading.Catch(path + "." + std::to_string(i),
-                       [&]() { all.Append((mesh.*find)(names[i])); });
-      }
-      return all;
-   }
-
-   const NamedMesh &mesh;
-   CaseReading &reading;
-};
-
-void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
-                    NameCheck &names, CaseReading &reading)
+void CheckRegions(const CaseFile &setup, const NamedMesh &mesh,
+                  CaseReading &reading)
 {
+   const auto find = [&](const std::string &name) { return mesh.Region(name); };
    std::map<int, std::string> given;
    for (size_t i = 0; i < setup.materials.size(); i++)
    {
       const std::string path = Path("material", i, "regions");
-      for (const int region : names.Regions(setup.materials[i].regions, path))
+      for (const int region :
+           FindAll(setup.materials[i].regions, path, reading, find))
       {
          const auto [first, fresh] = given.emplace(region, path);
          if (!fresh)
@@ -100,9 +77,6 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
                                 WhereIs(reading.Places(), first->second) + ")");
          }
       }
-      const FrameCase &frame = setup.materials[i].frame;
-      names.Boundaries(frame.between, Path("material", i, "frame.between"));
-      names.Boundaries(frame.around, Path("material", i, "frame.around"));
    }
    for (const int region : mesh.Get().attributes)
    {
@@ -115,18 +89,29 @@ void CheckMaterials(const CaseFile &setup, const NamedMesh &mesh,
    }
 }
 
-void CheckSurfaces(const CaseFile &setup, NameCheck &names)
+void CheckSurfaces(const CaseFile &setup, const NamedMesh &mesh,
+                   CaseReading &reading)
 {
+   const auto check = [&](const std::vector<std::string> &names,
+                          const std::string &list, size_t i,
+                          const std::string &key)
+   {
+      FindAll(names, Path(list, i, key), reading,
+              [&](const std::string &name) { return mesh.Boundary(name); });
+   };
+   for (size_t i = 0; i < setup.materials.size(); i++)
+   {
+      check(setup.materials[i].frame.between, "material", i, "frame.between");
+      check(setup.materials[i].frame.around, "material", i, "frame.around");
+   }
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
-      names.Boundaries(setup.boundaries[i].surfaces,
-                       Path("boundary", i, "surfaces"));
+      check(setup.boundaries[i].surfaces, "boundary", i, "surfaces");
    }
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
-      names.Boundaries(setup.contacts[i].source, Path("contact", i, "source"));
-      names.Boundaries(setup.contacts[i].destination,
-                       Path("contact", i, "destination"));
+      check(setup.contacts[i].source, "contact", i, "source");
+      check(setup.contacts[i].destination, "contact", i, "destination");
    }
 }
 
@@ -168,9 +153,8 @@ NamedMesh &Verified(const CaseFile &setup, NamedMesh &mesh)
 {
    CaseReading reading(setup.places);
    CheckDirectLibrary(setup, mesh, reading);
-   NameCheck names(mesh, reading);
-   CheckMaterials(setup, mesh, names, reading);
-   CheckSurfaces(setup, names);
+   CheckRegions(setup, mesh, reading);
+   CheckSurfaces(setup, mesh, reading);
    reading.ThrowIfAny();
    return mesh;
 }

@@ -9,7 +9,7 @@ namespace synovia
 
 namespace
 {
-constexpr size_t most_complaints = 10;
+constexpr size_t most_errors = 10;
 
 CasePlace Nearest(const CasePlaces &places, std::string path)
 {
@@ -49,23 +49,32 @@ void CaseReading::SetPlace(const std::string &path, const CasePlace &place)
 void CaseReading::AddError(const std::string &path, const std::string &problem)
 {
    const CasePlace place = Nearest(places, path);
-   complaints.push_back({place, path, Prefixed(place, path) + ": " + problem});
+   errors.push_back({place, path, Prefixed(place, path) + ": " + problem});
+}
+
+void CaseReading::Require(bool good, const std::string &path,
+                          const std::string &problem)
+{
+   if (!good && !HasError(path))
+   {
+      AddError(path, problem);
+   }
 }
 
 bool CaseReading::HasError(const std::string &path) const
 {
-   return std::any_of(complaints.begin(), complaints.end(),
-                      [&](const CaseError &complaint)
-                      { return complaint.path == path; });
+   return std::any_of(errors.begin(), errors.end(),
+                      [&](const CaseError &error)
+                      { return error.path == path; });
 }
 
 void CaseReading::ThrowIfAny() const
 {
-   if (complaints.empty())
+   if (errors.empty())
    {
       return;
    }
-   std::vector<CaseError> sorted(complaints);
+   std::vector<CaseError> sorted(errors);
    std::stable_sort(sorted.begin(), sorted.end(),
                     [](const CaseError &a, const CaseError &b)
                     {
@@ -73,14 +82,14 @@ void CaseReading::ThrowIfAny() const
                               std::tie(b.place.line, b.place.column);
                     });
    std::string text;
-   for (size_t i = 0; i < std::min(sorted.size(), most_complaints); i++)
+   for (size_t i = 0; i < std::min(sorted.size(), most_errors); i++)
    {
       text += (i > 0 ? "\n  " : "") + sorted[i].text;
    }
-   if (sorted.size() > most_complaints)
+   if (sorted.size() > most_errors)
    {
       text +=
-         "\n  and " + std::to_string(sorted.size() - most_complaints) + " more";
+         "\n  and " + std::to_string(sorted.size() - most_errors) + " more";
    }
    throw Error(text);
 }

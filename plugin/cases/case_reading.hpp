@@ -17,7 +17,7 @@ using CasePlaces = std::map<std::string, CasePlace>;
 /// of it that has one; the path alone if none has.
 std::string WhereIs(const CasePlaces &places, const std::string &path);
 
-/// What there is to say against a case, for a user to mend all of it at once.
+/// The errors of a case, collected so that users can correct all at once.
 class CaseReading
 {
 public:
@@ -29,9 +29,11 @@ public:
    const CasePlaces &Places() const { return places; }
 
    void AddError(const std::string &path, const std::string &problem);
-   /// Whether there is a complaint about this path.
+   /// Adds the error unless it is @a good, or the path has an error already.
+   void Require(bool good, const std::string &path, const std::string &problem);
+   /// Whether there is an error at this path.
    bool HasError(const std::string &path) const;
-   size_t Count() const { return complaints.size(); }
+   size_t Count() const { return errors.size(); }
    /// Calls @a what; an Error that it throws becomes one of this path.
    template <typename Function>
    void Catch(const std::string &path, Function what)
@@ -46,8 +48,8 @@ public:
       }
    }
 
-   /// Throws Error with the complaints in the order of the file, ten of them at
-   /// most, a line each, if there are any.
+   /// Throws Error if there are any, with the first ten in the order of the
+   /// file, a line each.
    void ThrowIfAny() const;
 
 private:
@@ -59,7 +61,7 @@ private:
    };
 
    CasePlaces places;
-   std::vector<CaseError> complaints;
+   std::vector<CaseError> errors;
 };
 
 /// A value of a case that is being read: what was written, under which path,

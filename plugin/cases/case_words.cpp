@@ -73,9 +73,4 @@ LinearMethod LinearMethodNamed(const std::string &word)
    return Find(LinearMethodWords(), "linear solver", word);
 }
 
-Deformation DeformationNamed(const std::string &word)
-{
-   return Find(DeformationWords(), "deformation", word);
-}
-
 } // namespace synovia

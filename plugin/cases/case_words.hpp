@@ -23,6 +23,5 @@ std::string DeformationWord(Deformation deformation);
 /// Throws Error, which lists the words there are, if it is none of them.
 TimeScheme TimeSchemeNamed(const std::string &word);
 LinearMethod LinearMethodNamed(const std::string &word);
-Deformation DeformationNamed(const std::string &word);
 
 } // namespace synovia

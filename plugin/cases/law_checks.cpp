@@ -35,11 +35,8 @@ void CheckLaw(const LawRegistry<Law> &laws, const std::string &model,
    }
    for (const auto &[name, value] : parameters)
    {
-      if (!law->Find(name) && !reading.HasError(path + "." + name))
-      {
-         reading.AddError(path + "." + name,
-                          Quoted(model) + " has no such parameter");
-      }
+      reading.Require(law->Find(name), path + "." + name,
+                      Quoted(model) + " has no such parameter");
    }
    if (!law->Allows(deformation))
    {
@@ -67,11 +64,8 @@ void CheckLaws(const MaterialCase &material, const std::string &path,
    check_solid(solid, solid_path);
    const LawDescription *const law = SolidLaws().Find(solid.model);
    const std::string parts_path = solid_path + ".solids";
-   if (law && law->has_parts && solid.solids.empty() &&
-       !reading.HasError(parts_path))
-   {
-      reading.AddError(parts_path, "there is no solid in the mixture");
-   }
+   reading.Require(!law || !law->has_parts || !solid.solids.empty(), parts_path,
+                   "there is no solid in the mixture");
    for (size_t i = 0; i < solid.solids.size(); i++)
    {
       check_solid(solid.solids[i], parts_path + "." + std::to_string(i));

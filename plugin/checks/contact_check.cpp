@@ -38,23 +38,23 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
    std::vector<ContactPair *> borrowed;
    std::vector<PairAtStart> found;
    CaseReading reading(setup.places);
-   const auto complain = [&](size_t i, auto check)
+   const auto collect = [&](size_t i, auto check)
    { reading.Catch("contact." + std::to_string(i), check); };
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
       const ContactCase &contact = setup.contacts[i];
-      complain(i,
-               [&]()
-               {
-                  pairs.push_back(std::make_unique<ContactPair>(
-                     contact.Name(), spaces, problem.Get().Materials(),
-                     NamedBoundaries(mesh, contact.source),
-                     NamedBoundaries(mesh, contact.destination),
-                     contact.options, problem.Get().GetDeformation(),
-                     setup.solver.tuning.contact));
-                  borrowed.push_back(pairs.back().get());
-                  borrowed.back()->SearchReference();
-               });
+      collect(i,
+              [&]()
+              {
+                 pairs.push_back(std::make_unique<ContactPair>(
+                    contact.Name(), spaces, problem.Get().Materials(),
+                    NamedBoundaries(mesh, contact.source),
+                    NamedBoundaries(mesh, contact.destination), contact.options,
+                    problem.Get().GetDeformation(),
+                    setup.solver.tuning.contact));
+                 borrowed.push_back(pairs.back().get());
+                 borrowed.back()->SearchReference();
+              });
    }
    reading.ThrowIfAny();
    const Vector u = MakeFirstApproach(FindBodies(mesh, spaces), spaces,
@@ -64,17 +64,17 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
    p = 0.0;
    for (size_t i = 0; i < pairs.size(); i++)
    {
-      complain(i,
-               [&]()
-               {
-                  ContactPair &pair = *pairs[i];
-                  pair.Enforcement().SetTimeStep(setup.time.step);
-                  pair.Search(u);
-                  pair.Enforcement().Evaluate(u, p);
-                  found.push_back({pair.Name(), LeastGap(pair),
-                                   pair.Scales().gap_tolerance,
-                                   pair.Scales().search_radius});
-               });
+      collect(i,
+              [&]()
+              {
+                 ContactPair &pair = *pairs[i];
+                 pair.Enforcement().SetTimeStep(setup.time.step);
+                 pair.Search(u);
+                 pair.Enforcement().Evaluate(u, p);
+                 found.push_back({pair.Name(), LeastGap(pair),
+                                  pair.Scales().gap_tolerance,
+                                  pair.Scales().search_radius});
+              });
    }
    reading.ThrowIfAny();
    return found;
