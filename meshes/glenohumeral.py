@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mesh of an idealised glenohumeral joint: two layers of cartilage on bone.
+"""Mesh of an idealized glenohumeral joint: two layers of cartilage on bone.
 
 Guo and Spilker 2014, section 3.2. In millimeters, the axis is z, the layers
 touch at (0, 0, t); a quarter, x >= 0 and y >= 0, unless --full:

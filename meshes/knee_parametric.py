@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mesh of an idealised right knee: cartilage and menisci, hexahedra.
+"""Mesh of an idealized right knee: cartilage and menisci, hexahedra.
 
 For tests, and for users without an image; regions, surfaces, axes and rules are
 those of knee_from_segmentation.py. In millimeters; the condyles would touch the
@@ -134,7 +134,7 @@ def anatomy() -> tuple[knee_joint.Anatomy, list[str]]:
                                  outer - wedge, outer, contact,
                                  femoral_height)
     return (knee_joint.Anatomy(femur, outline, tibia, outlines, menisci),
-            ["an idealised right knee"])
+            ["an idealized right knee"])
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mesh of an axisymmetric joint: a full ring of meniscus, hexahedra.
 
-The idealised knee compartment, in millimeters, about the z axis: a spherical
+The idealized knee compartment, in millimeters, about the z axis: a spherical
 layer of femoral cartilage, radius 25, on a ring whose section is a wedge, on a
 flat disc of tibial cartilage.
 

@@ -30,7 +30,7 @@
 // the meniscus.
 //
 // meshes/knee_from_segmentation.py makes the mesh from an image,
-// meshes/knee_parametric.py an idealised one. miniapps/cases/knee.toml is the
+// meshes/knee_parametric.py an idealized one. miniapps/cases/knee.toml is the
 // same problem for the driver; scripts/plot_knee.py draws the pictures.
 //
 // Sample runs:

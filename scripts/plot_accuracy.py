@@ -16,7 +16,7 @@ over the largest exact one. Meshes of all orders are of one family: those of
 meshes/indentation.py --hex whose sizes grow by 1.4^size from one element to the
 next. Their cartilage is 6 times as wide as the indenter, for the reference has
 it infinite. SDIRK33 with steps of 50 s leaves little error in time. Runs that are
-there already are not made again, and the picture shows what there is so far.
+there already are not made again, and the picture shows the results so far.
 
 Sample runs, after scripts/setup and a build of the indentation miniapp:
   scripts/python scripts/plot_accuracy.py out/accuracy

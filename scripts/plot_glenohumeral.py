@@ -165,7 +165,7 @@ def against_time(axes: plt.Axes, joint: Joint, values: np.ndarray, title: str,
                  label: str) -> None:
     time = joint.history["t"]
     axes.plot(np.r_[0, time], np.r_[0, values])
-    axes.axvline(LOADED, color=style.GREY, linewidth=0.7,
+    axes.axvline(LOADED, color=style.GRAY, linewidth=0.7,
                  linestyle=(0, (1, 2)))
     axes.set(xlabel="time (s)", ylabel=label, xlim=(0, time.max()),
              ylim=(0, None), title=title)

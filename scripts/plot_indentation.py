@@ -51,13 +51,13 @@ def exact_axis_pressure(time: float) -> dict[str, np.ndarray]:
 
 
 def mark_rim(axes: plt.Axes) -> None:
-    axes.axvline(RADIUS, color=style.GREY, linewidth=0.7,
+    axes.axvline(RADIUS, color=style.GRAY, linewidth=0.7,
                  linestyle=(0, (1, 2)))
 
 
 def finish_radial(axes: plt.Axes, lines: list, quantity: str) -> None:
     mark_rim(axes)
-    axes.axhline(0, color=style.GREY, linewidth=0.6)
+    axes.axhline(0, color=style.GRAY, linewidth=0.6)
     axes.set(xlabel="radius $r$ (mm)", ylabel=quantity,
              xlim=(0, max(line["x"].max() for line in lines)))
     axes.legend(loc="best")

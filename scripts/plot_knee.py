@@ -98,7 +98,7 @@ def name_sides(axes: plt.Axes, knee: Knee) -> None:
         x = knee.bodies[f"tibial_cartilage_{side}"].center[0]
         axes.annotate(side, (x, 1.0), xytext=(0, 2), ha="center", va="bottom",
                       xycoords=axes.get_xaxis_transform(), fontsize=8,
-                      textcoords="offset points", color=style.GREY)
+                      textcoords="offset points", color=style.GRAY)
 
 
 def tissue_legend(figure: FigureBase, tissues: list[str]) -> None:
@@ -180,7 +180,7 @@ def meniscal_slices(figure: FigureBase, knee: Knee) -> None:
 
 def draw_slice(axes: plt.Axes, knee: Knee, side: str, values: np.ndarray,
                colors: dict):
-    """The meniscus in colors between its neighbors in grey."""
+    """The meniscus in colors between its neighbors in gray."""
     cut = knee.slices[side]
     section.draw_values(axes, cut.others, [0, 2],
                         [np.zeros(part.n_points) for part in cut.others],
@@ -258,7 +258,7 @@ def femoral_surface(figure: FigureBase, knee: Knee) -> None:
 
 
 def against_time(axes: plt.Axes, knee: Knee, label: str) -> None:
-    axes.axvline(LOADED, color=style.GREY, linewidth=0.7,
+    axes.axvline(LOADED, color=style.GRAY, linewidth=0.7,
                  linestyle=(0, (1, 2)))
     axes.set(xlabel="time (s)", ylabel=label,
              xlim=(0, knee.history["t"].max()), ylim=(0, None))
@@ -307,7 +307,7 @@ def pair_legend(figure: FigureBase, what: str = "", *others: Line2D) -> None:
     """Colors for what touches, strokes for the sides."""
     kinds = [Line2D([], [], color=color, label=what + kind)
              for kind, color in KIND_COLORS.items()]
-    sides = [Line2D([], [], color=style.GREY, linestyle=stroke, label=side)
+    sides = [Line2D([], [], color=style.GRAY, linestyle=stroke, label=side)
              for side, stroke in SIDE_STROKES.items()]
     figure.legend(handles=[*kinds, *sides, *others],
                   loc="outside lower center", ncols=2)

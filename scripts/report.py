@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """A report on a run: one web page that needs no other file.
 
-Reads OUT, the output directory of any run (what there is of history.csv,
-case.toml, run.log, lines/ and fields/), and writes OUT/report.html: what the
-run complained of, a summary, the history of forces, pressures, errors and
+Reads OUT, the output directory of any run (history.csv, case.toml, run.log,
+lines/ and fields/, as far as present), and writes OUT/report.html: the errors
+and warnings of the run, a summary, the history of forces, pressures, errors and
 iterations, sampled lines, pictures of the fields and the case. Runs that are
 not finished will do, and those that failed in their first step.
 """

@@ -5,8 +5,8 @@
 namespace synovia
 {
 
-/// Complains about what contradicts itself or makes no sense in a case, each
-/// number being in range by itself.
+/// Adds an error for each contradiction within a case; ranges of single numbers
+/// are checked with the keys.
 void CheckConsistency(const CaseFile &setup, CaseReading &reading);
 
 } // namespace synovia

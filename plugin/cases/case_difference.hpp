@@ -22,8 +22,8 @@ struct CaseChange
 std::vector<CaseChange> FindChanges(const CaseFile &before,
                                     const CaseFile &after);
 
-/// Whether a run may be resumed with another value: those of the title, of
-/// time, solver and output leave the problem what it is.
+/// Whether a run may be resumed with another value: title, time, solver and
+/// output don't change the problem.
 bool MayChange(const CaseChange &change);
 
 /// "key: was A, is B", with the place of the key in front.

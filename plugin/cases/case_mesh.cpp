@@ -8,7 +8,7 @@ namespace synovia
 
 namespace
 {
-// What makes a mesh that isn't there, if the case says so.
+// The commands that make a missing mesh, if the case names its generator.
 std::string MeshAdvice(const CaseFile &setup, MPI_Comm comm)
 {
    const MeshGenerator &generator = setup.mesh.generator;

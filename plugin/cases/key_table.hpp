@@ -37,11 +37,11 @@ class KeyTable;
 struct CaseKey
 {
    std::string name;
-   /// Another name that it may have in a file, of before; empty for none.
+   /// A former name that files may still use; empty for none.
    std::string former_name;
    std::string unit;
    std::string meaning;
-   /// How a complaint about the value calls it, if not by its path.
+   /// What messages call the value, if not by its path.
    std::string noun;
    NumberRange range;
    bool required = false;
@@ -49,8 +49,8 @@ struct CaseKey
    std::unique_ptr<KeyBinding> value;
    std::unique_ptr<KeyTable> table;
 
-   /// A list of tables: how many there are, how many there shall be, and the
-   /// keys of one of them; those of a sample, to show, unless they are shown
+   /// A list of tables: its size, how to resize it, the keys of an entry, and
+   /// the keys of a sample for the list of keys, unless they are listed
    /// elsewhere.
    struct List
    {
@@ -84,7 +84,7 @@ struct CaseKey
 /// The keys of a table, bound to the members of a struct that must outlive it.
 ///
 /// One description of the keys serves to read a case, to check one that a
-/// program made, to write it, and to list all there is.
+/// program made, to write it, and to list the keys.
 class KeyTable
 {
 public:
@@ -119,11 +119,10 @@ public:
    CaseKey &List(const std::string &name, std::vector<Entry> &entries,
                  KeyTable (*describe)(Entry &), const std::string &meaning);
 
-   /// Sets the values that @a from has, and complains about keys that there
-   /// aren't, wrong types, and what is missing.
+   /// Sets the values that @a from has; adds errors for unknown keys, wrong
+   /// types and missing keys.
    void Read(const CaseInput &from);
-   /// Complains about numbers out of range, except where there is a complaint
-   /// already.
+   /// Adds errors for numbers out of range at paths that have no error yet.
    void Check(const std::string &path, CaseReading &reading);
    /// Writes all values that are set, as TOML.
    void Write(std::ostream &out, const std::string &path = "");
@@ -200,7 +199,7 @@ private:
    T &value;
 };
 
-/// Reads one of @a words; the number of it, or -1 with a complaint.
+/// Reads one of @a words: its number, or -1 after an error.
 int ReadWord(const CaseInput &from, const std::vector<std::string> &words);
 /// The words as a type: "a", "b" or "c".
 std::string WordsType(const std::vector<std::string> &words);

@@ -5,8 +5,8 @@
 namespace synovia
 {
 
-/// Complains about laws of a material that are not for this deformation, and
-/// about parameters that they don't have.
+/// Adds errors for laws of a material that are not for this deformation, and
+/// for parameters that they don't have.
 void CheckLaws(const MaterialCase &material, const std::string &path,
                Deformation deformation, CaseReading &reading);
 

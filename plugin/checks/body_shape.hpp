@@ -8,9 +8,10 @@
 namespace synovia
 {
 
-/// How thick each body is under what presses it: the median, by area, of the
-/// ways along the normals from its contact surfaces, or those with other loads
-/// if it has none, to its far side. 0 where there are none. Collective.
+/// Thickness of each body under its loads: the median, by area, of the
+/// distances along the normals from its contact surfaces, or from its other
+/// loaded surfaces if it has none, to its far side. 0 without such surfaces.
+/// Collective.
 std::vector<mfem::real_t> MeasureThickness(const CaseFile &setup,
                                            CaseProblem &problem,
                                            const std::vector<Body> &bodies);

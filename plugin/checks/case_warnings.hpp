@@ -9,8 +9,8 @@
 namespace synovia
 {
 
-/// What looks like a mistake in a case, a sentence each, the same on all ranks:
-/// cheap next to the set-up of a run, and said before its first step.
+/// Likely mistakes in a case, a sentence each, the same on all ranks: cheap
+/// next to the set-up of a run, and said before its first step.
 ///
 /// @a pairs are those that CheckContact() found, or none for a run that goes
 /// on. Collective.

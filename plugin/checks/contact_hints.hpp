@@ -9,8 +9,8 @@
 namespace synovia
 {
 
-/// What would make contact more accurate, for people who ask: the other side as
-/// destination, or curved faces. Collective.
+/// How contact could be more accurate: with the other side as destination, or
+/// with curved faces. Collective.
 std::vector<std::string>
 FindContactHints(const CaseFile &setup, CaseProblem &problem,
                  const std::vector<PairAtStart> &pairs,

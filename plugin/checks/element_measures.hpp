@@ -18,9 +18,8 @@ struct ElementMeasures
    mfem::real_t quality = std::numeric_limits<mfem::real_t>::infinity();
 };
 
-/// Of the regions in the order of their attributes. Integrates every element,
-/// which takes a part of a set-up's time that a run doesn't spend on warnings.
-/// Collective.
+/// Of the regions in the order of their attributes. Integrates every element:
+/// too expensive for the warnings of a run. Collective.
 std::vector<ElementMeasures> MeasureElements(NamedMesh &mesh);
 
 /// Regions with elements that are nearly flat.

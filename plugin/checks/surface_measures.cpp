@@ -14,7 +14,7 @@ using namespace mfem;
 
 namespace
 {
-// Those with names, and all others as one.
+// Named surfaces, and all others as one.
 std::vector<std::pair<std::string, std::vector<int>>>
 Surfaces(const NamedMesh &mesh)
 {

@@ -118,7 +118,7 @@ void AddRatios(const CaseNumbers &numbers, const UnitFactors &factors,
          const real_t permeabilities =
             materials[i].permeability * factors.permeability[i] /
             (materials[j].permeability * factors.permeability[j]);
-         // What stands for a rigid body that drains is both.
+         // A material that stands for a rigid, draining body is both.
          const real_t rigid = std::max(permeabilities, real_t(1.0));
          if (moduli / rigid > stiffness.value)
          {

@@ -113,7 +113,7 @@ private:
       list.push_back(moves);
    }
 
-   // What all materials have, in words.
+   // A property that all materials have, in words.
    struct Property
    {
       std::string key;
@@ -172,7 +172,7 @@ std::string OrAll(const std::vector<Suspicion> &suspicions,
    return "";
 }
 
-// What can't be so, and if there is more that is strange, the strangest of it.
+// The impossible facts, or else the strangest one.
 std::string FactsOf(std::vector<UnitSign> signs)
 {
    constexpr size_t most = 2;

@@ -11,8 +11,8 @@ namespace synovia
 {
 
 /// Gap and pressure jump between the surfaces of a pair as functions of
-/// displacement and pressure, with their derivatives. What is done about them
-/// is the business of an enforcement.
+/// displacement and pressure, with their derivatives. AugmentedLagrangian
+/// enforces it.
 ///
 /// All members are collective. Displacements and pressures are true dofs;
 /// vectors of gaps and jumps have an entry for each vertex of the destination.

@@ -12,8 +12,8 @@ using namespace mfem;
 
 namespace
 {
-// What it takes to close a gap, of what the softer body resists alone: half
-// of it gives way on each side.
+// Stiffness against closing a gap, relative to that of the softer body: each
+// side gives way by half.
 constexpr real_t closing_part = 0.5;
 
 Point3 SumOverRanks(Point3 value, MPI_Comm comm)

@@ -6,7 +6,7 @@
 namespace synovia
 {
 
-/// What there is to report of a pair, from the last Evaluate() and
+/// Results of a pair for the history, from the last Evaluate() and
 /// UpdateActiveSet().
 struct ContactDiagnostics
 {

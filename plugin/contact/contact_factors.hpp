@@ -7,7 +7,7 @@
 namespace synovia
 {
 
-/// What a contact pair adds to the linearized equations of a stage, as factors
+/// Terms of a contact pair in the linearized equations of a stage, as factors
 /// of true-dof matrices; m are the destination's vertices (SurfaceVertices):
 ///
 ///     momentum:  (G^T W R + force_change) du

@@ -6,8 +6,8 @@
 namespace synovia
 {
 
-/// The two surfaces of a contact pair: where they are, whom they meet, and
-/// whether that can be what was meant.
+/// The two surfaces of a contact pair: their positions, their search for each
+/// other, and checks of reach and overlap.
 class ContactGeometry
 {
 public:

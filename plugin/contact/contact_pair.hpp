@@ -75,7 +75,7 @@ public:
    /// Of the linearized equations at the last UpdateActiveSet(). Searched.
    ContactFactors Factors() const;
 
-   /// Lists what was accepted; reading sets it. Collective.
+   /// Lists the accepted state; reading sets it. Collective.
    void Archive(StateArchive &archive);
 
 private:

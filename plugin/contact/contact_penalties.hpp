@@ -33,8 +33,8 @@ public:
    const mfem::Vector &Gap() const { return gap; }
    /// eta_p (length / time / stress).
    const mfem::Vector &Jump() const { return jump; }
-   /// What the bodies resist at a vertex (stress / length), and that times the
-   /// area (force / length).
+   /// Stiffness of the bodies at a vertex (stress / length), and its product
+   /// with the area (force / length).
    const mfem::Vector &Resistance() const { return resistance; }
    const mfem::Vector &AreaResistance() const { return area_resistance; }
 

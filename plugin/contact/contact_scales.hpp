@@ -6,8 +6,8 @@
 namespace synovia
 {
 
-/// What a contact pair is measured by: given by its options, or derived from
-/// the bodies behind its surfaces.
+/// Scales of a contact pair: given by its options, or derived from the bodies
+/// behind its surfaces.
 struct ContactScales
 {
    /// H_A of the softer side (stress).

@@ -24,9 +24,8 @@ struct VertexContact
    bool seal_broke = false;
 };
 
-/// Everything about a contact pair that a step changes, for each of this rank's
-/// vertices of the destination. Copies of it are what a failed step goes back
-/// to.
+/// The variables of a contact pair that a step changes, for each of this rank's
+/// vertices of the destination. A failed step restores a copy of them.
 struct ContactState
 {
    explicit ContactState(int vertices_);

@@ -133,7 +133,7 @@ BentSurfacePoint FacePolynomial::Bent(real_t xi, real_t eta) const
       MultiplyAdd(point.tangents[0], t, slope);
       MultiplyAdd(second[0], t, bend);
    }
-   // What Horner's scheme leaves are the derivatives by their factorials.
+   // Horner's scheme gives derivatives divided by their factorials.
    MultiplyAdd(second[0], 2.0, zero);
    MultiplyAdd(second[2], 2.0, zero);
    return bent;

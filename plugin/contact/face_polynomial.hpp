@@ -5,7 +5,7 @@
 namespace synovia
 {
 
-/// A point of a parametrised surface.
+/// A point of a parameterized surface.
 struct SurfacePoint
 {
    Point3 position;
@@ -34,7 +34,7 @@ struct SurfacePoint
    }
 };
 
-/// A point of a parametrised surface, and how the surface bends there.
+/// A point of a parameterized surface, with its second derivatives.
 struct BentSurfacePoint
 {
    SurfacePoint point;

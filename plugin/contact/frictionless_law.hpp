@@ -5,10 +5,9 @@
 namespace synovia
 {
 
-/// What surfaces in frictionless biphasic contact do to each other (Guo &
-/// Spilker 2014, equations 10 to 13): a normal traction that is compressive and
-/// acts on both, and a relative flux out of the source that goes into the
-/// destination.
+/// The law of frictionless biphasic contact between two surfaces (Guo & Spilker
+/// 2014, equations 10 to 13): a normal traction that is compressive and acts on
+/// both, and a relative flux out of the source that goes into the destination.
 struct FrictionlessLaw
 {
    /// lambda + eta g (stress), negative in compression.

@@ -11,7 +11,7 @@
 namespace synovia
 {
 
-/// How two surfaces are held against each other.
+/// Options of search and quadrature between two surfaces.
 struct GapOptions
 {
    /// Exactness of the quadrature on each segment, the part of a destination

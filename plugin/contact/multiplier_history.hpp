@@ -7,8 +7,8 @@
 namespace synovia
 {
 
-/// Multipliers of gap and jump at two times, the later one second, and what
-/// they may become.
+/// Multipliers of gap and jump at two times, the later one second, and their
+/// extrapolation.
 struct MultiplierHistory
 {
    /// Keeps the multipliers as those reached at @a now.
@@ -19,8 +19,8 @@ struct MultiplierHistory
    /// traction becomes tensile.
    void Predict(mfem::real_t then, mfem::real_t reach, mfem::Vector &traction_,
                 mfem::Vector &flux_) const;
-   /// Leaves one time to predict from: multipliers will change otherwise than
-   /// they did.
+   /// Leaves one time to predict from, as multipliers will change at another
+   /// rate.
    void ForgetPast() { time[0] = time[1]; }
 
    std::array<mfem::real_t, 2> time{{0.0, 0.0}};

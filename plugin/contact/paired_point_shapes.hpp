@@ -7,8 +7,8 @@
 namespace synovia
 {
 
-/// All that the gap at a point and its derivatives are made of: shape functions
-/// on both faces and the frame of normal and tangents.
+/// The ingredients of the gap at a point and of its derivatives: shape
+/// functions on both faces and the frame of normal and tangents.
 ///
 /// With s = dx_A - dx_B - gap dn at fixed reference coordinates of the hit,
 ///

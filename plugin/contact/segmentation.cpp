@@ -330,7 +330,7 @@ void AppendSegment(const DeformedFace &face, Projection &projection,
       image[i] = at.xi;
       distances[i] = at.distance;
    }
-   // What faces the destination goes round the other way.
+   // Faces towards the destination have the opposite orientation.
    if (SignedArea(image) >= 0.0)
    {
       return;

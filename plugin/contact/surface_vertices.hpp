@@ -9,8 +9,8 @@
 namespace synovia
 {
 
-/// The vertices of a surface, numbered over all ranks: what contact has data
-/// for, however many the rest of the mesh has.
+/// The vertices of a surface, numbered over all ranks, so that contact data
+/// have the size of the surface, whatever the mesh.
 ///
 /// A rank owns those of its multiplier true dofs that are on the surface, in
 /// ascending order. Its faces touch some of these and others' besides: local

@@ -25,8 +25,8 @@ struct BodyStage
 
 /// The bodies' part of momentum and mass balance: stresses and springs, growth
 /// of volume and flow of fluid, loads that follow the deformation, and the
-/// derivatives of all these. Other loads, supports and contact are not its
-/// business.
+/// derivatives of all these. Other loads, supports and contact are not part of
+/// it.
 ///
 /// All members are collective. Momentum is in force, mass in volume of fluid in
 /// the stage.
@@ -35,8 +35,8 @@ class BodyForm
 public:
    virtual ~BodyForm() = default;
 
-   /// How many numbers this rank conserves beside u and p; time schemes treat
-   /// them as part of the state.
+   /// Number of conserved quantities on this rank besides u and p, which time
+   /// schemes treat as part of the state.
    virtual int ConservedSize() const { return 0; }
    /// Sets them for a displacement: none, if the growth of volume is linear in
    /// it, else the volume ratio J at each quadrature point.
@@ -59,13 +59,13 @@ public:
    virtual void Mult(const BodyStage &stage, mfem::Vector &momentum,
                      mfem::Vector &mass) const = 0;
 
-   /// What Mult() would be at the stage's end if it went on from the stage's
-   /// beginning as the Tangent() says, which must be that of the beginning:
-   /// large increments at supports alone may invert elements.
+   /// Mult() at the stage's end, extrapolated from the stage's beginning with
+   /// the Tangent(), which must be the one at the beginning: large increments
+   /// at supports alone may invert elements.
    virtual void MultFromStart(const BodyStage &stage, mfem::Vector &momentum,
                               mfem::Vector &mass) const = 0;
 
-   /// The part of the mass that is growth of the bodies' volume.
+   /// The growth of the bodies' volume in the mass balance.
    virtual void GetGrowth(const BodyStage &stage,
                           mfem::Vector &growth) const = 0;
 
@@ -79,9 +79,9 @@ public:
                               const mfem::Vector &p, mfem::Vector &momentum,
                               mfem::Vector &mass) const = 0;
 
-   /// Says on all ranks what makes the state at the end of @a stage impossible,
-   /// such as an inverted element, with region and place; empty if nothing
-   /// does.
+   /// On all ranks, the reason why the state at the end of @a stage is
+   /// impossible, such as an inverted element, with region and place; empty if
+   /// it is possible.
    virtual std::string Validate(const BodyStage &stage) const = 0;
 
    /// Whether Tangent() is the same in all states.

@@ -15,8 +15,8 @@ namespace synovia
 /// symmetric and positive definite. Infinitesimal deformation takes isotropic
 /// permeabilities only.
 ///
-/// Of several elements the text speaks of the one that comes first in the mesh
-/// before distribution. Collective.
+/// Of several elements the text names the first in the mesh before
+/// distribution. Collective.
 void VerifyLaws(NamedMesh &mesh, BiphasicSpaces &spaces,
                 const MaterialTable &materials, Deformation deformation);
 

@@ -5,16 +5,16 @@
 namespace synovia
 {
 
-/// What of the solids' moduli makes linear systems hard, the worst of all
-/// elements.
+/// Ratios of the solids' moduli that make linear systems hard, the largest over
+/// all elements.
 struct ModuliRatios
 {
    /// Aggregate modulus over shear modulus: how nearly incompressible the
    /// drained solid is.
    mfem::real_t incompressibility = 0.0;
    /// The largest stiffness along an axis of space over the aggregate modulus,
-   /// which is that of the softest direction: 1 for isotropic solids, and at
-   /// least a quarter of fibers' stiffness over that of what is between them.
+   /// that of the softest direction: 1 for isotropic solids, and at least a
+   /// quarter of the fibers' stiffness over that of the matrix between them.
    mfem::real_t anisotropy = 0.0;
 };
 

@@ -9,8 +9,8 @@ using namespace mfem;
 
 namespace
 {
-// Gauss-Jordan; the largest pivot is on the diagonal of what is left. Replaces
-// rows of pivots by the reduced ones.
+// Gauss-Jordan; the largest pivot is on the diagonal of the remaining matrix.
+// Replaces rows of pivots by the reduced ones.
 Array<int> Eliminate(DenseMatrix &rows, real_t tolerance)
 {
    const int size = rows.Height();

@@ -36,9 +36,9 @@ public:
    int Bodies() const { return static_cast<int>(centers.size()); }
    /// Number of the body that a true dof of the displacement belongs to.
    int BodyOf(int dof) const { return body_of[dof]; }
-   /// What a motion of that body makes of the dof.
+   /// Value of the dof in a motion of that body.
    mfem::real_t At(int dof, int motion) const;
-   /// What one of the six motions of a body makes of a point of it.
+   /// Displacement of a point in one of the six motions of its body.
    Point3 At(int body, int motion, const Point3 &point) const;
    /// One of the six motions of all bodies at once.
    mfem::Vector OfAll(int motion) const;

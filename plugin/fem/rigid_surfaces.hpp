@@ -69,7 +69,7 @@ public:
       /// q (length)
       mfem::real_t distance = 0.0;
    };
-   /// How far each surface has got at displacement @a u. Collective.
+   /// Travel of each surface at displacement @a u. Collective.
    std::vector<Travel> GetTravel(const mfem::Vector &u) const;
 
 private:

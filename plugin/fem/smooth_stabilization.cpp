@@ -91,7 +91,7 @@ void SmoothStabilization::Mult(const Vector &p, Vector &y) const
    for (size_t e = 0; e < elements.size(); e++)
    {
       const Element &element = elements[e];
-      // What has another sign at another vertex is zero at one of them.
+      // Components of different signs at two vertices are zero at one of them.
       Vector smooth(3);
       for (int d = 0; d < 3; d++)
       {

@@ -7,7 +7,7 @@
 namespace synovia
 {
 
-/// What the pressure projection does to the smooth part of a pressure field.
+/// The pressure projection's effect on the smooth part of a pressure field.
 ///
 /// PressureProjectionIntegrator cannot tell an oscillation from a gradient: in
 /// thin, nearly undrained layers the latter's share acts like a permeability of

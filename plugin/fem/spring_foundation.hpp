@@ -14,8 +14,8 @@ namespace synovia
 class SpringFoundation
 {
 public:
-   /// Borrows @a spaces. @a boundary lists attributes; @a stiffness is that of
-   /// all springs together, k (force / length), positive; @a direction has
+   /// Borrows @a spaces. @a boundary lists attributes; @a stiffness is the
+   /// total of all springs, k (force / length), positive; @a direction has
    /// three components of any length, or none: then the springs act alike in
    /// all directions. Collective. Throws Error if the stiffness is not positive
    /// or the direction zero.

@@ -16,7 +16,7 @@ namespace
 constexpr real_t same_part = 1e-6;
 constexpr real_t nothing = -std::numeric_limits<real_t>::infinity();
 
-// What is as much as the largest.
+// Values from here on count as the largest.
 real_t LeastLike(real_t largest)
 {
    return largest - same_part * std::abs(largest);
@@ -133,7 +133,7 @@ real_t SpectralNorm(const Components &g, int q, Deformation deformation)
                    -LogarithmicStrain(strains.smallest));
 }
 
-// What no principal strain exceeds.
+// An upper bound of the principal strains.
 real_t Bound(const Components &g, int q, Deformation deformation)
 {
    return deformation == Deformation::infinitesimal

@@ -39,9 +39,9 @@ struct StrainExtremes
 /// parallelepipeds, and up to order 2 on straight tetrahedra, the maximum is
 /// that of all points.
 ///
-/// Values that differ by a millionth are the same: of their places that in the
-/// element which comes first in the mesh before distribution is given, on any
-/// number of ranks.
+/// Values that differ by a millionth count as equal: the place is given in the
+/// first of their elements in the mesh before distribution, so that it is the
+/// same on any number of ranks.
 class StrainMonitor
 {
 public:

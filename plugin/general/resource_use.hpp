@@ -5,7 +5,7 @@
 namespace synovia
 {
 
-/// What processes took of the machine since they started.
+/// Resources that processes have used since they started.
 struct ResourceUse
 {
    /// Peak of the memory in use, summed over ranks, whose peaks need not be at

@@ -6,7 +6,7 @@ namespace synovia
 {
 
 /// Eigenvalues of a small symmetric matrix, ascending, by Jacobi's method;
-/// those of MFEM need LAPACK above 3 x 3. Not numbers if an entry isn't finite.
+/// MFEM's need LAPACK above 3 x 3. Not numbers if an entry isn't finite.
 mfem::Vector SymmetricEigenvalues(mfem::DenseMatrix matrix);
 
 } // namespace synovia

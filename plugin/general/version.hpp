@@ -10,7 +10,7 @@ namespace synovia
 /// Synovia's version, such as "0.1.0".
 std::string Version();
 
-/// Names and versions of Synovia and of what it computes with.
+/// Names and versions of Synovia and of the libraries that it uses.
 std::vector<std::pair<std::string, std::string>> Versions();
 
 /// The same in one line.

@@ -77,7 +77,7 @@ private:
 };
 } // namespace
 
-/// What there is in finite deformation only.
+/// Fields of finite deformation only.
 class FieldOutput::Strains
 {
 public:

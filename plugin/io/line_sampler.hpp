@@ -46,9 +46,9 @@ public:
    /// fewer than 2 points.
    LineSampler(const NamedMesh &mesh, const LineDefinition &line);
 
-   /// Columns s (distance from the first point), x, y, z, and those of the
-   /// fields, which live on the mesh. Collective. Throws Error if a field has
-   /// another number of components than it has columns.
+   /// Columns s (distance from the first point), x, y, z, and the columns of
+   /// the fields, which live on the mesh. Collective. Throws Error if a field
+   /// has another number of components than it has columns.
    SampledTable Sample(const std::vector<SampledField> &fields) const;
 
    /// Writes what Sample() gives to `<directory>/<name>_t<time>.csv`, making

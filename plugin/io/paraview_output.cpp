@@ -62,7 +62,7 @@ public:
 
    void Save() override
    {
-      // Of no elements MFEM writes pieces that take no time.
+      // Pieces without elements take MFEM no time.
       {
          Mesh nothing;
          const ReplacedMesh replaced(mesh, &nothing);

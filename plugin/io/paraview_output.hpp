@@ -17,10 +17,10 @@ namespace synovia
 class ParaViewOutput
 {
 public:
-   /// Borrows @a mesh. @a order is that of the pictures: the highest of the
-   /// fields' orders leaves nothing out. Collective. Throws Error if the
-   /// directory can't be made or written into. @a append keeps the steps of an
-   /// earlier run that lie before the first one saved here.
+   /// Borrows @a mesh. @a order is the order of the written elements; with the
+   /// highest order of the fields nothing is lost. Collective. Throws Error if
+   /// the directory can't be made or written into. @a append keeps the steps of
+   /// an earlier run that lie before the first one saved here.
    ParaViewOutput(const std::string &directory, const std::string &name,
                   mfem::ParMesh &mesh, int order, bool append = false);
    ~ParaViewOutput();

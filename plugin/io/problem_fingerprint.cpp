@@ -138,7 +138,7 @@ std::string CompareFingerprints(const CheckpointContents &theirs,
    {
       const auto there = theirs.texts.find(name);
       const std::string &here = ours.texts.at(name);
-      // Those of the first version lack some.
+      // Checkpoints of the first version lack some entries.
       if (there != theirs.texts.end() && there->second != here)
       {
          add(name, there->second, here);

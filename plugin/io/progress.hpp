@@ -6,7 +6,7 @@
 namespace synovia
 {
 
-/// Tells how a run gets on: one line that is kept up to date on a terminal,
+/// Shows the progress of a run: one line that is kept up to date on a terminal,
 /// a line now and then in a log. Rank 0 writes to standard output.
 class Progress
 {

@@ -7,10 +7,9 @@ namespace synovia
 
 /// Estimates how long a run still takes, from what its steps took so far.
 ///
-/// The first step tells nothing of the others, for it sets up what they use
-/// again; of the others later ones count more. As long as the number of steps
-/// to come is uncertain, while adaptive steps grow for one, there is no
-/// estimate.
+/// The first step is left out, as its set-up is used by all others; later steps
+/// count more. As long as the number of steps to come is uncertain, while
+/// adaptive steps grow for one, there is no estimate.
 class RemainingTime
 {
 public:

@@ -97,7 +97,7 @@ void Remove(const fs::path &path)
 void RemoveEmptyFolders(const fs::path &directory)
 {
    std::vector<Found> found = Find(directory);
-   // What is in a directory comes after it.
+   // Files come after their directory.
    std::reverse(found.begin(), found.end());
    for (const Found &item : found)
    {

@@ -11,8 +11,8 @@ namespace synovia
 // fields/, checkpoint/, run.log and case.toml, with the report.html that is
 // made of them. For one process. Errors are std::runtime_error.
 
-/// What there is of results, such as "history.csv, lines/ (3 files)"; empty if
-/// there is none. A log, a case or a report without any is no result.
+/// The results in a directory, such as "history.csv, lines/ (3 files)"; empty
+/// if there is none. A log, a case or a report without any is no result.
 std::string ListResults(const std::string &directory);
 
 /// Removes what runs and the report write, and directories that are empty then.

@@ -21,8 +21,9 @@ public:
    using Fields =
       std::vector<std::pair<std::string, const mfem::ParGridFunction *>>;
 
-   /// Borrows @a mesh, which must not change. @a order is that of the elements
-   /// in the file, @a compression zlib's level: -1 its default, 0 none.
+   /// Borrows @a mesh, which must not change. @a order is the order of the
+   /// elements in the file, @a compression zlib's level: -1 its default, 0
+   /// none.
    VtuPiece(mfem::ParMesh &mesh, int order, int compression = -1);
 
    /// Writes the file. The fields must be continuous; any number of components.

@@ -164,7 +164,7 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
 {
-   // What is small is added up first, and what is large copied once.
+   // Small matrices are added up first, so that the large one is copied once.
    std::unique_ptr<HypreParMatrix> sum;
    for (size_t i = 0; i < Contact().size(); i++)
    {

@@ -44,12 +44,12 @@ ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
              const ModuliRatios &moduli,
              const FactorizationTuning &tuning = FactorizationTuning());
 
-/// One try to solve a system.
+/// One attempt to solve a system.
 struct SolveAttempt
 {
    int iterations = 0;
    bool converged = false;
-   /// Norm of what is left over that of the beginning.
+   /// Norm of the residual over the initial one.
    mfem::real_t reduction = 1.0;
 };
 
@@ -61,14 +61,14 @@ public:
    /// Surfaces were searched anew: gap and jump have other entries. Collective.
    virtual void ContactMoved() = 0;
    /// The matrices of bodies or contact have other values, a little later in
-   /// the deformation; what was made of them may go on serving. Collective.
+   /// the deformation; factors and hierarchies may stay in use. Collective.
    virtual void TangentChanged() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
    /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
    /// of no use then. Collective.
    virtual void Update() = 0;
-   /// Called after each try to solve; says whether another try, from where the
-   /// last one got to, is worth it if that one did not converge. Collective.
+   /// Called after each attempt; says whether another one, from where it ended,
+   /// is worthwhile if it did not converge. Collective.
    virtual bool Report(const SolveAttempt &attempt) = 0;
    /// Iterations after which a solve had better Report().
    virtual int Patience() const = 0;
@@ -83,13 +83,13 @@ protected:
    WorkCounts work;
 };
 
-/// What may be left of the residual of each equation, as norms of true-dof
-/// vectors: force, and volume of fluid in a step.
+/// Largest residual of each equation, as norms of true-dof vectors: force, and
+/// volume of fluid in a step.
 struct ResidualTolerance
 {
    mfem::real_t momentum = 0.0;
    mfem::real_t mass = 0.0;
-   /// As far as the one of the mass may be lowered.
+   /// Lower bound for the tolerance of the mass.
    mfem::real_t least_mass = 0.0;
 };
 
@@ -128,7 +128,7 @@ public:
       /// one starts with a new preconditioner.
       std::string failure;
    };
-   /// Solves J x = b, from zero, until the Norm() of what is left is at most
+   /// Solves J x = b, from zero, until the Norm() of the residual is at most
    /// @a target. Collective.
    Result Solve(const mfem::Vector &b, mfem::Vector &x,
                 const ResidualTolerance &tolerance, mfem::real_t target);

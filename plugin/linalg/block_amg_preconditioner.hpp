@@ -16,8 +16,8 @@ namespace synovia
 /// are as good as the real ones, so that iterations don't grow with the mesh.
 /// It is built anew when much of the active set has changed since and it has
 /// served a few times as long as building it takes. When the tangent changes,
-/// all goes on serving until the iterations that this has cost are worth a new
-/// beginning.
+/// the hierarchies stay in use until the extra iterations cost as much as new
+/// ones.
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -38,7 +38,7 @@ private:
    std::vector<mfem::Vector> SoftWeights() const;
    bool IsOutdated() const;
    void BuildHierarchy();
-   /// Follows the tangent, with what there is or from the beginning.
+   /// Follows the tangent with the present hierarchies or with new ones.
    void FollowTangent();
    void UpdateDisplacement(bool gaps_changed);
    void UpdatePressure(bool jumps_changed);

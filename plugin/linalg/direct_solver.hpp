@@ -9,7 +9,7 @@
 namespace synovia
 {
 
-/// What a direct solver may rely on.
+/// Properties of a matrix that a direct solver may rely on.
 enum class MatrixKind
 {
    positive_definite,

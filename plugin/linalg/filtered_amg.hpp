@@ -44,8 +44,8 @@ public:
    /// Their columns at prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
    /// Borrows another A and other factors in place of those before, from which
-   /// they differ little: what was made of those goes on serving, until the
-   /// dofs to solve for exactly are others.
+   /// they differ little: hierarchy and factors stay in use until the dofs to
+   /// solve for exactly change.
    void Replace(const mfem::HypreParMatrix &matrix,
                 const std::vector<const mfem::HypreParMatrix *> &factors);
    /// Takes other dofs, ascending and among those that Touched() gives for the

@@ -66,7 +66,7 @@ MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit)
    Run(MumpsJob::start);
    const auto set = [&](int place, MUMPS_INT value)
    { data.icntl[place - 1] = value; };
-   // What fails is told by Explain().
+   // Explain() reports failures.
    for (const int stream : {error_stream, warning_stream, summary_stream})
    {
       set(stream, 0);

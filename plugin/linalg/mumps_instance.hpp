@@ -9,7 +9,7 @@
 namespace synovia
 {
 
-/// What MUMPS can be told to do; numbers of its users' guide, as below.
+/// Jobs of MUMPS; numbers of its users' guide, as below.
 enum class MumpsJob
 {
    start = -1,

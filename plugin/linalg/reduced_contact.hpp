@@ -9,7 +9,7 @@
 namespace synovia
 {
 
-/// What contact adds to the linearized equations, for displacements reduced by
+/// Terms of contact in the linearized equations, for displacements reduced by
 /// RigidSurfaces where there are any.
 class ReducedContact
 {

@@ -29,7 +29,7 @@ RowRoute::RowRoute(const std::vector<HYPRE_BigInt> &rows,
    std::vector<std::vector<int>> places(ranks);
    for (std::size_t i = 0; i < rows.size(); i++)
    {
-      // Of ranks with the same first row, only the last one owns any.
+      // If ranks have the same first row, only the last one owns rows.
       const auto next =
          std::upper_bound(first_rows.begin(), first_rows.end(), rows[i]);
       const auto owner = next - first_rows.begin() - 1;

@@ -3,7 +3,7 @@
 namespace synovia
 {
 
-/// How often what costs much was done.
+/// Numbers of expensive operations.
 struct WorkCounts
 {
    /// Assemblies of the bodies' matrices.

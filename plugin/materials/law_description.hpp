@@ -11,7 +11,7 @@
 namespace synovia
 {
 
-/// A number that a law takes, with what a case file says of it.
+/// A parameter of a law, with its description for case files.
 struct LawParameter
 {
    /// The key.
@@ -27,7 +27,7 @@ struct LawParameter
    void Verify(mfem::real_t value) const;
 };
 
-/// What a case file may say of a law: its name and its parameters.
+/// The keys of a law in a case file: its name and its parameters.
 struct LawDescription
 {
    /// The key model.
@@ -49,7 +49,7 @@ struct LawDescription
 /// E and nu of small strains.
 LawParameter YoungsModulus();
 LawParameter PoissonsRatio();
-/// value, that of the undeformed body.
+/// value, the permeability of the undeformed body.
 LawParameter ReferencePermeability();
 /// One of several that add up.
 LawParameter PermeabilityPart(const std::string &name);

@@ -43,7 +43,7 @@ std::string CheckPartitioning(const Mesh &serial, int ranks,
    return "";
 }
 
-// What is wrong with the arguments of DistributeMesh(), or nothing.
+// The error in the arguments of DistributeMesh(); empty if there is none.
 std::string Check(const Mesh &serial, const NameTable &regions,
                   const NameTable &boundaries, int ranks,
                   const int *partitioning)

@@ -7,8 +7,8 @@
 namespace synovia
 {
 
-/// Reads a gmsh mesh on the calling rank alone; what becomes of its elements is
-/// told at ReadGmsh(). Throws Error, whose text does not name the file.
+/// Reads a gmsh mesh on the calling rank alone; see ReadGmsh() for the
+/// treatment of its elements. Throws Error, whose text does not name the file.
 FlatMesh ReadGmshFile(const std::string &path);
 
 } // namespace synovia

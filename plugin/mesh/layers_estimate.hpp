@@ -5,8 +5,8 @@
 namespace synovia
 {
 
-/// What MakeCurvedLayers() and a problem on the layers take, before either is
-/// there. Numbers of any size: they need not be such that can be computed.
+/// Size of MakeCurvedLayers() and of a problem on the layers, before either is
+/// made; it may be too large to be computed.
 struct LayersEstimate
 {
    /// Elements before they are split, all of them on each rank for a while.

@@ -34,7 +34,7 @@ struct MshCells
    std::map<int, std::string> names;
 };
 
-/// What is in an MSH file, before anything is made of it.
+/// The contents of an MSH file.
 struct MshContents
 {
    /// x, y, z of all nodes.

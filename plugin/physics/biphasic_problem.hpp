@@ -52,9 +52,9 @@ public:
    /// Total traction along the outward normal, positive in tension (stress); in
    /// finite deformation along the current one, per current area.
    void AddNormalTraction(const std::string &boundary, const LoadCurve &value);
-   /// Springs on a fixed base: stiffness of all together (force / length),
-   /// along
-   /// @a direction, or alike in all directions if that is empty.
+   /// Springs on a fixed base with this total stiffness (force / length), along
+   /// @a direction, of any length but zero, or alike in all directions if that
+   /// is empty.
    void AddSprings(const std::vector<std::string> &boundaries,
                    mfem::real_t stiffness,
                    const mfem::Vector &direction = mfem::Vector());

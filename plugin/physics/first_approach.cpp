@@ -78,7 +78,7 @@ private:
    /// Those of a pair's bodies that aren't in the group.
    std::set<int> MetBy(const PushedBodies &group,
                        const ContactPair &pair) const;
-   [[noreturn]] void ComplainOf(const PushedBodies &group) const;
+   [[noreturn]] void ThrowNothingMet(const PushedBodies &group) const;
 
    const std::vector<Body> &bodies;
    BiphasicSpaces &spaces;
@@ -236,7 +236,7 @@ Approach::Meeting Approach::Meet(const PushedBodies &group)
    return meeting;
 }
 
-void Approach::ComplainOf(const PushedBodies &group) const
+void Approach::ThrowNothingMet(const PushedBodies &group) const
 {
    std::string names;
    for (const int body : group.bodies)
@@ -285,7 +285,7 @@ void Approach::Add(const DrivenSurface &surface)
       {
          if (first)
          {
-            ComplainOf(group);
+            ThrowNothingMet(group);
          }
          break;
       }

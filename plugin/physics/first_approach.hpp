@@ -7,9 +7,9 @@
 namespace synovia
 {
 
-/// Where a run starts with bodies that a force moves, and that nothing holds
-/// along it: moved rigidly until they touch what the force presses them
-/// against.
+/// The start of a run with bodies that a force moves and that nothing holds
+/// along it: they are moved rigidly until they touch the body that the force
+/// presses them against.
 ///
 /// A body that touches nothing would resist no force, and one that overlaps
 /// another is to be pressed out of it; as a translation strains nothing, both

@@ -14,8 +14,8 @@ class ForcingTerm
 public:
    explicit ForcingTerm(const NewtonTuning &tuning_) : tuning(tuning_) {}
 
-   /// What may be left of the linear residual, as part of @a norm, that of the
-   /// nonlinear one in the state that is linearized.
+   /// Tolerance of the linear residual relative to @a norm, the norm of the
+   /// nonlinear residual in the linearized state.
    mfem::real_t Next(mfem::real_t norm);
 
 private:

@@ -33,9 +33,9 @@ public:
    /// Whether supports and springs alone hold all bodies.
    bool HoldAll() const { return loose.empty(); }
 
-   /// What is loose although the pairs touch as they do, and how to hold it;
-   /// empty if nothing is. Vertices count that bear a traction, in pairs that
-   /// bear more than @a least_force. Collective.
+   /// The motions that are free with the present contact, and how to hold them;
+   /// empty if there are none. Vertices count that bear a traction, in pairs
+   /// that bear more than @a least_force. Collective.
    std::string Validate(const std::vector<ContactPair *> &pairs,
                         mfem::real_t least_force) const;
 

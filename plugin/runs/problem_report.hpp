@@ -15,8 +15,8 @@
 namespace synovia
 {
 
-/// What there is to know about a case before it runs: regions, surfaces,
-/// materials, pairs, unknowns, and what looks like a mistake.
+/// A summary of a case before it runs: regions, surfaces, materials, pairs,
+/// unknowns, and what looks like a mistake.
 class ProblemReport
 {
 public:

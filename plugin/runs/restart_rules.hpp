@@ -9,8 +9,8 @@
 namespace synovia
 {
 
-// What a case may differ in from the one that it goes on with. Errors are the
-// same on all ranks.
+// Permitted differences between a case and the one that it resumes. Errors are
+// the same on all ranks.
 
 /// The changes since the checkpoint. Throws Error, which lists them, if there
 /// are some that a resumed run must not have, and if the checkpoint does not

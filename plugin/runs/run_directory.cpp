@@ -17,7 +17,7 @@ using mfem::real_t;
 
 namespace
 {
-// How a case.toml begins that a run wrote.
+// The first line of a case.toml that a run wrote.
 constexpr const char *signature = "# As it ran, with all defaults";
 
 const std::string &MadeDirectory(const std::string &path, MPI_Comm comm)

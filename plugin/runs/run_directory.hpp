@@ -30,7 +30,7 @@ public:
 
    /// Writes the case, with all defaults, to case.toml.
    void WriteSetup(const CaseFile &setup) const;
-   /// What there is of it, of an earlier run perhaps; empty if there is none.
+   /// Its text, perhaps from an earlier run; empty if there is no such file.
    std::string ReadSetup() const;
 
    std::string Checkpoints() const { return path + "/checkpoint"; }

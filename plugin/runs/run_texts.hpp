@@ -11,13 +11,13 @@ namespace synovia
 
 // Lines of the log of a run.
 
-/// How large it is, and how long it took to set up (s). Collective.
+/// Size of the problem, and time of its set-up (s). Collective.
 std::string SizeText(BiphasicSpaces &spaces, double seconds);
 
-/// What a step came to.
+/// Result of a step.
 std::string StepText(int step, const StepReport &report);
 
-/// What the time was spent on, in all and for output (s).
+/// Times by phase, in total and for output (s).
 std::string PhaseText(const PhaseTimes &phases, double total, double output);
 
 } // namespace synovia

@@ -112,7 +112,7 @@ void Simulation::Overwrite()
 
 void Simulation::StartAnew()
 {
-   // What may go wrong with the case does so before anything is removed.
+   // Errors of the case come before anything is removed.
    const std::vector<PairAtStart> pairs = CheckContact(setup, problem);
    const std::vector<std::string> warnings =
       FindWarnings(setup, problem, pairs);
@@ -254,7 +254,7 @@ std::string Simulation::WriteCheckpoint()
    }
    catch (const Error &error) // on all ranks alike
    {
-      // Those of before are still there, and the disk may get room again.
+      // Earlier checkpoints are still there, and the disk may get room again.
       const std::string warning = std::string("warning: ") + error.what();
       log->TryToAdd(warning);
       progress->EndLine();

@@ -37,7 +37,7 @@ public:
    Simulation(const CaseFile &setup, MPI_Comm comm);
    ~Simulation();
 
-   /// Writes to @a out, on rank 0, what there is to know before it runs.
+   /// Writes a summary of the problem to @a out, on rank 0.
    void Describe(std::ostream &out);
 
    // At most one of these, before the first step. Without, the run begins at
@@ -48,7 +48,7 @@ public:
 
    /// Lets the run go on with the newest good checkpoint of the output
    /// directory; from the start if there is none. Throws Error if the case
-   /// differs from that of the checkpoint in more than title, time, solver and
+   /// differs from the checkpoint's case in more than title, time, solver and
    /// output, and lists the keys, or if it ends before.
    void Resume();
 

@@ -7,7 +7,7 @@
 namespace synovia
 {
 
-/// The largest strains of a run so far, and what they mean for it.
+/// The largest strains of a run so far, and the warning that they cause.
 ///
 /// Infinitesimal strain is a theory of small strains: beyond 10 %, or where det
 /// F falls to 0.5, it no longer describes the material. Finite deformation has
@@ -23,7 +23,7 @@ public:
    /// for the first time, else nothing.
    std::string Add(const StrainExtremes &strains, mfem::real_t time);
 
-   /// What was largest, where and when; empty before the first step.
+   /// The largest strains with place and time; empty before the first step.
    std::string Summary() const;
 
 private:

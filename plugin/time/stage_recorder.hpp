@@ -7,8 +7,8 @@
 namespace synovia
 {
 
-/// Stands between an ODE solver and a BiphasicOperator, and keeps the rates of
-/// the stages, which MFEM's solvers keep to themselves.
+/// Stands between an ODE solver and a BiphasicOperator, and records the rates
+/// of the stages, which MFEM's solvers don't give out.
 class StageRecorder : public mfem::TimeDependentOperator
 {
 public:

@@ -34,7 +34,7 @@ bool StepControl::Fail(real_t dt)
    return true;
 }
 
-StepControl::Verdict StepControl::Judge(const StepTry &step)
+StepControl::Verdict StepControl::Judge(const StepAttempt &step)
 {
    if (!limits.adaptive || step.error <= limits.tolerance ||
        step.dt <= limits.shortest * (1.0 + round_off) ||
@@ -64,7 +64,7 @@ StepControl::Verdict StepControl::Judge(const StepTry &step)
    return Verdict::repeat;
 }
 
-void StepControl::Grow(const StepTry &step)
+void StepControl::Grow(const StepAttempt &step)
 {
    const bool hard = step.newton > tuning.hard_newton;
    const bool tried_again = failures > 0 || rejections > 0;

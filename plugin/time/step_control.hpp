@@ -6,7 +6,7 @@
 namespace synovia
 {
 
-/// Between what lengths steps are chosen, and how.
+/// Bounds of the step length, and how it is chosen.
 struct StepLimits
 {
    mfem::real_t first = 1.0;
@@ -16,12 +16,12 @@ struct StepLimits
    bool adaptive = false;
    /// Whether a step that fails is tried again with a shorter one.
    bool cut_back = true;
-   /// What the relative error of a step may be.
+   /// Largest relative error of a step.
    mfem::real_t tolerance = 1e-2;
 };
 
-/// What a try of a step came to.
-struct StepTry
+/// Result of one attempt at a step.
+struct StepAttempt
 {
    mfem::real_t dt = 0.0;
    /// Estimated error, relative, that goes with the power @a order of dt.
@@ -44,11 +44,12 @@ public:
    explicit StepControl(const StepLimits &limits,
                         const StepTuning &tuning = StepTuning());
 
-   /// How long the next try should be at most.
+   /// Longest length of the next attempt.
    mfem::real_t Length() const { return length; }
    const StepLimits &Limits() const { return limits; }
 
-   /// A try of length @a dt did not converge. False if it must not be shorter.
+   /// An attempt of length @a dt did not converge. False if it must not be
+   /// shorter.
    bool Fail(mfem::real_t dt);
 
    enum class Verdict
@@ -58,10 +59,10 @@ public:
       accept_jump,
       repeat
    };
-   /// A try converged.
-   Verdict Judge(const StepTry &step);
+   /// An attempt converged.
+   Verdict Judge(const StepAttempt &step);
    /// It was accepted: the next one may be longer.
-   void Grow(const StepTry &step);
+   void Grow(const StepAttempt &step);
 
    void Archive(StateArchive &archive);
 
@@ -69,7 +70,7 @@ private:
    StepLimits limits;
    StepTuning tuning;
    mfem::real_t length;
-   /// Of the tries of the present step.
+   /// Of the attempts at the present step.
    int failures = 0;
    int rejections = 0;
    mfem::real_t rejected_dt = 0.0;

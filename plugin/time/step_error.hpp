@@ -55,7 +55,7 @@ struct PastRate
 /// solution one order lower that their stages give as well.
 mfem::Vector EstimateError(TimeScheme scheme, const StageRecorder &stages,
                            mfem::real_t dt, const PastRate &past);
-/// The power of dt with which it goes.
+/// Its order in dt.
 int EstimateOrder(TimeScheme scheme);
 
 } // namespace synovia

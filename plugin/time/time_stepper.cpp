@@ -141,7 +141,7 @@ void TimeStepper::SetStops(const std::vector<real_t> &corners)
    { return stop.time <= same_time || stop.time >= options.end - same_time; };
    stops.erase(std::remove_if(stops.begin(), stops.end(), outside),
                stops.end());
-   // Of those at the same time the corner comes first, and stays.
+   // Of stops at the same time the corner comes first, and stays.
    std::stable_sort(stops.begin(), stops.end(),
                     [](const Stop &a, const Stop &b)
                     { return a.time < b.time; });
@@ -242,7 +242,7 @@ void TimeStepper::Solve(real_t t, real_t dt, BlockVector &x)
    x.SyncToBlocks();
 }
 
-bool TimeStepper::Advance(real_t dt, Try &result)
+bool TimeStepper::Advance(real_t dt, Attempt &result)
 {
    Solve(time, dt, result.state);
    if (!op.Report().converged || !options.adaptive)
@@ -258,7 +258,7 @@ bool TimeStepper::Advance(real_t dt, Try &result)
    return true;
 }
 
-bool TimeStepper::AdvanceInHalves(real_t dt, Try &result)
+bool TimeStepper::AdvanceInHalves(real_t dt, Attempt &result)
 {
    BlockVector single(result.state);
    Solve(time, dt, single);
@@ -275,7 +275,7 @@ bool TimeStepper::AdvanceInHalves(real_t dt, Try &result)
       return false;
    }
    largest = std::max(largest, norm(result.state));
-   // Of the error e of a single step of a scheme of order n, two halves make
+   // If a single step of a scheme of order n has the error e, two halves have
    // 2^-n e.
    const int n = Order(options.scheme);
    single -= result.state;
@@ -300,7 +300,7 @@ StepReport TimeStepper::Step()
    while (again)
    {
       const real_t target = Target();
-      Try result(state);
+      Attempt result(state);
       result.step.dt = report.dt = target - time;
       const int first_solve = recorder.Solves();
       op.BeginStep();
@@ -357,7 +357,7 @@ StepReport TimeStepper::Step()
    return report;
 }
 
-void TimeStepper::Accept(const Try &result, real_t target, bool jump)
+void TimeStepper::Accept(const Attempt &result, real_t target, bool jump)
 {
    const Stop &stop = NextStop(time);
    const bool stops_here = target == stop.time;

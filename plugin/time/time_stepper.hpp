@@ -37,21 +37,21 @@ struct TimeOptions
    std::vector<mfem::real_t> stops;
 };
 
-/// What one step came to.
+/// Result of one time step.
 struct StepReport
 {
    bool converged = false;
    std::string reason;
    mfem::real_t time = 0.0;
    mfem::real_t dt = 0.0;
-   /// The last try.
+   /// Of the last attempt.
    SolveReport solve;
-   /// Tries that did not converge, and tries whose error was too large.
+   /// Attempts that did not converge, and attempts whose error was too large.
    int failures = 0;
    int rejections = 0;
-   /// Implicit solves of all tries.
+   /// Implicit solves of all attempts.
    int solves = 0;
-   /// What all tries took; that of the first step includes what was done before
+   /// Work of all attempts; that of the first step includes the work before
    /// it.
    WorkCounts work;
    /// Estimated error as error_tolerance has it; 0 where steps are fixed.
@@ -80,7 +80,7 @@ public:
    /// Throws Error on options out of range. Collective.
    TimeStepper(BiphasicProblem &problem, const TimeOptions &options);
 
-   /// One accepted step, with all the tries that it takes, or a failed one.
+   /// One accepted step, with all the attempts that it takes, or a failed one.
    /// Collective. Undefined once Done().
    StepReport Step();
    bool Done() const;
@@ -109,12 +109,12 @@ private:
       mfem::real_t time;
       bool corner;
    };
-   /// A converged try.
-   struct Try
+   /// A converged attempt.
+   struct Attempt
    {
-      explicit Try(const mfem::BlockVector &start) : state(start) {}
+      explicit Attempt(const mfem::BlockVector &start) : state(start) {}
       mfem::BlockVector state;
-      StepTry step;
+      StepAttempt step;
       /// Length of its last part, from which the next rate stems.
       mfem::real_t last_dt = 0.0;
    };
@@ -122,10 +122,10 @@ private:
    void SetStops(const std::vector<mfem::real_t> &corners);
    const Stop &NextStop(mfem::real_t from) const;
    mfem::real_t Target() const;
-   bool Advance(mfem::real_t dt, Try &result);
-   bool AdvanceInHalves(mfem::real_t dt, Try &result);
+   bool Advance(mfem::real_t dt, Attempt &result);
+   bool AdvanceInHalves(mfem::real_t dt, Attempt &result);
    void Solve(mfem::real_t t, mfem::real_t dt, mfem::BlockVector &x);
-   void Accept(const Try &result, mfem::real_t target, bool jump);
+   void Accept(const Attempt &result, mfem::real_t target, bool jump);
    void UpdateFields();
 
    BiphasicOperator &op;
@@ -145,11 +145,11 @@ private:
    WorkCounts reported;
    mfem::BlockVector state;
    mfem::Vector velocity;
-   /// Whether the rate at the end of the last step says something of the next,
-   /// and over what length it was found.
+   /// Whether the rate at the end of the last step predicts the next one, and
+   /// over what length it was found.
    bool smooth = false;
    mfem::real_t last_dt = 0.0;
-   /// The largest norm of the state, in tries that were not accepted too.
+   /// The largest norm of the state, over rejected attempts too.
    mfem::real_t largest = 0.0;
    mfem::ParGridFunction displacement;
    mfem::ParGridFunction pressure;

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 BLUE, ORANGE, GREEN, RED, SKY, PINK = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7")
-GREY = "#666666"
+GRAY = "#666666"
 
 # References are thin, dark and over what is compared with them.
 REFERENCE = {"color": "black", "linewidth": 0.9, "linestyle": (0, (4, 2)),

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 History = dict[str, list[float]]
 
 WORK = re.compile(r"solver\.")
-# How well the equations are solved: what is left depends on the last iteration.
+# Residuals of the equations, which depend on the last iteration.
 REMAINDER = re.compile(
     r"\.(force_error|moment_error|penetration|pressure_jump|volume_balance)$")
 COMPONENT = re.compile(r"[._][xyz]$")

@@ -66,7 +66,7 @@ def plot_curves(time: np.ndarray, curves: list[Curve], title: str,
         top = max(largest(v) for _, v in curves) or 1.0
         axes.set_ylim(-0.04 * top, 1.06 * top)
     else:
-        axes.axhline(0, color=style.GREY, linewidth=0.6, zorder=0)
+        axes.axhline(0, color=style.GRAY, linewidth=0.6, zorder=0)
     low, high = axes.get_ylim()
     for limit in limits:
         if low <= limit <= high:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A small idealised knee, from its mesh to its pictures, on two ranks.
+"""A small idealized knee, from its mesh to its pictures, on two ranks.
 
 Requirements: the program and the case file are the same problem; the femur
 touches the menisci first and the tibial cartilages later; all six pairs bear

@@ -26,9 +26,9 @@ StepLimits Adaptive()
    return limits;
 }
 
-StepTry MakeTry(real_t dt, real_t error, real_t newton = 2.0)
+StepAttempt MakeAttempt(real_t dt, real_t error, real_t newton = 2.0)
 {
-   StepTry step;
+   StepAttempt step;
    step.dt = dt;
    step.error = error;
    step.newton = newton;
@@ -66,13 +66,13 @@ TEST_CASE("Fixed steps grow back to their length, if they are easy")
    StepControl control(limits);
    CHECK(control.Fail(1.0));
    CHECK(control.Fail(0.5));
-   control.Grow(MakeTry(0.25, 0.0, 100.0));
+   control.Grow(MakeAttempt(0.25, 0.0, 100.0));
    CHECK(control.Length() == 0.25);
-   control.Grow(MakeTry(0.25, 0.0));
+   control.Grow(MakeAttempt(0.25, 0.0));
    CHECK(control.Length() == 0.5);
-   control.Grow(MakeTry(0.5, 0.0));
+   control.Grow(MakeAttempt(0.5, 0.0));
    CHECK(control.Length() == 1.0);
-   control.Grow(MakeTry(1.0, 0.0));
+   control.Grow(MakeAttempt(1.0, 0.0));
    CHECK(control.Length() == 1.0);
 }
 
@@ -81,69 +81,70 @@ TEST_CASE("The length settles where the error is near its tolerance")
    StepControl control(Adaptive());
    const auto error = [](real_t dt) { return 0.025 * dt * dt; };
    const real_t ideal = std::sqrt(1e-3 / 0.025);
-   int tries = 0;
+   int attempts = 0;
    real_t dt = 0.0;
    for (int step = 0; step < 20; step++)
    {
       do
       {
          dt = control.Length();
-         tries++;
-         REQUIRE(tries < 40);
-      } while (control.Judge(MakeTry(dt, error(dt))) ==
+         attempts++;
+         REQUIRE(attempts < 40);
+      } while (control.Judge(MakeAttempt(dt, error(dt))) ==
                StepControl::Verdict::repeat);
       CHECK(error(dt) <= 1e-3);
-      control.Grow(MakeTry(dt, error(dt)));
+      control.Grow(MakeAttempt(dt, error(dt)));
    }
    CHECK(dt <= ideal);
    CHECK(dt > 0.6 * ideal);
-   CHECK(tries <= 22);
+   CHECK(attempts <= 22);
 }
 
-TEST_CASE("A stiff start, whose error falls slowly, takes few tries")
+TEST_CASE("A stiff start, whose error falls slowly, takes few attempts")
 {
    StepControl control(Adaptive());
    const auto error = [](real_t dt) { return 0.05 * std::sqrt(dt); };
-   int tries = 0;
+   int attempts = 0;
    real_t dt = 0.0;
    do
    {
       dt = control.Length();
-      tries++;
-      REQUIRE(tries < 20);
-   } while (control.Judge(MakeTry(dt, error(dt))) ==
+      attempts++;
+      REQUIRE(attempts < 20);
+   } while (control.Judge(MakeAttempt(dt, error(dt))) ==
             StepControl::Verdict::repeat);
    // 0.05 sqrt(dt) = 1e-3
    CHECK(dt <= 4e-4);
-   CHECK(tries <= 5);
+   CHECK(attempts <= 5);
 }
 
 TEST_CASE("An error that a shorter step does not mend is accepted as a jump")
 {
    StepControl control(Adaptive());
-   CHECK(control.Judge(MakeTry(1.0, 0.02)) == StepControl::Verdict::repeat);
+   CHECK(control.Judge(MakeAttempt(1.0, 0.02)) == StepControl::Verdict::repeat);
    const real_t dt = control.Length();
    CHECK(dt < 1.0);
-   CHECK(control.Judge(MakeTry(dt, 0.02)) == StepControl::Verdict::accept_jump);
-   control.Grow(MakeTry(dt, 0.02));
+   CHECK(control.Judge(MakeAttempt(dt, 0.02)) ==
+         StepControl::Verdict::accept_jump);
+   control.Grow(MakeAttempt(dt, 0.02));
    CHECK(control.Length() >= 0.1 * dt);
 }
 
 TEST_CASE("The shortest step is accepted with any error")
 {
    StepControl control(Adaptive());
-   CHECK(control.Judge(MakeTry(1e-4, 1.0)) == StepControl::Verdict::accept);
+   CHECK(control.Judge(MakeAttempt(1e-4, 1.0)) == StepControl::Verdict::accept);
 }
 
 TEST_CASE("A step that was short to end on time does not shorten the next one")
 {
    StepControl control(Adaptive());
    const real_t length = control.Length();
-   control.Grow(MakeTry(1e-3 * length, 1e-10));
+   control.Grow(MakeAttempt(1e-3 * length, 1e-10));
    CHECK(control.Length() >= length);
    SECTION("unless its error says that it must")
    {
-      control.Grow(MakeTry(1e-3 * length, 1e-3));
+      control.Grow(MakeAttempt(1e-3 * length, 1e-3));
       CHECK(control.Length() < 0.01 * length);
    }
 }
