@@ -428,18 +428,8 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       {
          return false;
       }
-      const real_t peak = MaxOverRanks(
-         stage.p.Size() > 0 ? stage.p.Normlinf() : 0.0, spaces.GetComm());
-      std::vector<ContactViolations> violations;
-      bool done = true;
-      for (const ContactPair *pair : pairs)
-      {
-         violations.push_back(pair->Enforcement().FindViolations());
-         done =
-            pair->Enforcement().IsWithinTolerance(violations.back(), peak) &&
-            done;
-      }
-      if (done)
+      const Violations violations = FindViolations(stage);
+      if (violations.within_tolerance)
       {
          break;
       }
@@ -449,10 +439,11 @@ bool BiphasicOperator::SolveStage(Stage &stage)
          for (size_t i = 0; i < pairs.size(); i++)
          {
             left += "; " + pairs[i]->Name() + ": gap " +
-                    ToText(violations[i].penetration) + " (tolerance " +
+                    ToText(violations.pairs[i].penetration) + " (tolerance " +
                     ToText(pairs[i]->Scales().gap_tolerance) +
-                    "), pressure jump " + ToText(violations[i].pressure_jump) +
-                    " (peak pressure " + ToText(peak) + ")";
+                    "), pressure jump " +
+                    ToText(violations.pairs[i].pressure_jump) +
+                    " (peak pressure " + ToText(violations.peak_pressure) + ")";
          }
          return Fail("gap or pressure jump out of tolerance after " +
                      std::to_string(augmentation) + " augmentations" + left);
@@ -462,8 +453,9 @@ bool BiphasicOperator::SolveStage(Stage &stage)
       {
          AugmentedLagrangian &enforcement = pairs[i]->Enforcement();
          enforcement.Augment();
-         stiffened =
-            enforcement.StiffenIfSlow(violations[i], peak) || stiffened;
+         stiffened = enforcement.StiffenIfSlow(violations.pairs[i],
+                                               violations.peak_pressure) ||
+                     stiffened;
       }
       UpdateContact(stage);
       if (stiffened)
@@ -488,6 +480,24 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    return true;
 }
 
+BiphasicOperator::Violations
+BiphasicOperator::FindViolations(const Stage &stage) const
+{
+   Violations violations;
+   violations.peak_pressure = MaxOverRanks(
+      stage.p.Size() > 0 ? stage.p.Normlinf() : 0.0, spaces.GetComm());
+   for (const ContactPair *pair : pairs)
+   {
+      const AugmentedLagrangian &enforcement = pair->Enforcement();
+      violations.pairs.push_back(enforcement.FindViolations());
+      violations.within_tolerance =
+         enforcement.IsWithinTolerance(violations.pairs.back(),
+                                       violations.peak_pressure) &&
+         violations.within_tolerance;
+   }
+   return violations;
+}
+
 bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
 {
    for (int search = 0;; search++)
@@ -495,6 +505,10 @@ bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
       if (!SolveContact(stage, tolerance))
       {
          return false;
+      }
+      if (!bodies->IsLinear() && !FindViolations(stage).within_tolerance)
+      {
+         return true;
       }
       // Points near an edge may go back and forth.
       if (search == options.tuning.newton.max_searches || !SearchDrifted(stage))
@@ -506,10 +520,13 @@ bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
 
 bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 {
+   // Of the residual, for gaps to be known well enough to correct multipliers.
+   constexpr real_t fallen = 0.1;
    BlockVector residual(spaces.Offsets());
    BlockVector step(spaces.Offsets());
    ForcingTerm forcing(options.tuning.newton);
    bool evaluated = false;
+   real_t first_norm = 0.0;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
       if (!evaluated)
@@ -534,6 +551,12 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       if (!std::isfinite(norm))
       {
          return Fail("the residual is not a finite number");
+      }
+      first_norm = iteration == 0 ? norm : first_norm;
+      if (evaluated && norm <= fallen * first_norm &&
+          !FindViolations(stage).within_tolerance)
+      {
+         return true;
       }
       if (!stage.from_start)
       {

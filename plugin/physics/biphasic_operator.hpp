@@ -137,7 +137,20 @@ private:
       bool from_start = false;
    };
 
+   /// Gaps and pressure jumps of all pairs.
+   struct Violations
+   {
+      /// In the order of the pairs.
+      std::vector<ContactViolations> pairs;
+      /// Largest pressure (stress).
+      mfem::real_t peak_pressure = 0.0;
+      bool within_tolerance = true;
+   };
+
    bool SolveStage(Stage &stage);
+   /// Newton's method. Of nonlinear bodies it ends early where the active set
+   /// has settled and multipliers are yet to be corrected: these change what
+   /// the iterations converge to.
    bool SolveContact(Stage &stage, ResidualTolerance &tolerance);
    /// The same with partners where they belong.
    bool SolveSliding(Stage &stage, ResidualTolerance &tolerance);
@@ -171,6 +184,7 @@ private:
    /// Takes the pairs' factors into the Jacobian.
    void UpdateFactors();
    bool UpdateContact(Stage &stage);
+   Violations FindViolations(const Stage &stage) const;
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.
    bool CatchPushed(Stage &stage);
