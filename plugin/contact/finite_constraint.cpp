@@ -79,20 +79,30 @@ bool FiniteConstraint::HasDrifted()
 
 bool FiniteConstraint::Differs(const FiniteGap &other) const
 {
-   // A small part of what is left open anyway; where surfaces are far from each
-   // other a part of how far.
-   constexpr real_t part_of_tolerance = 0.1;
+   // A part of what is left open anyway, and of gaps that are open. What is far
+   // from touching has no say.
+   constexpr real_t part_of_tolerance = 0.5;
    constexpr real_t part_of_gap = 0.01;
-   constexpr real_t part_of_area = 1e-3;
-   const Vector &areas = gaps->Operators().area;
-   const Vector &other_areas = other.Operators().area;
-   for (int j = 0; j < areas.Size(); j++)
+   constexpr real_t part_of_area = 0.01;
+   const GapOperators &now = gaps->Operators();
+   const GapOperators &then = other.Operators();
+   const auto is_near = [](const FiniteGap &at, int j)
    {
+      return at.Operators().area[j] > 0.0 &&
+             at.Gap()[j] <= at.Operators().GrazingGap(j);
+   };
+   for (int j = 0; j < now.area.Size(); j++)
+   {
+      if (!is_near(*gaps, j) && !is_near(other, j))
+      {
+         continue;
+      }
       const real_t gap = gaps->Gap()[j];
-      const real_t limit =
-         part_of_tolerance * gap_tolerance + part_of_gap * std::abs(gap);
-      if (std::abs(other_areas[j] - areas[j]) > part_of_area * areas[j] ||
-          (areas[j] > 0.0 && std::abs(other.Gap()[j] - gap) > limit))
+      const real_t gap_change = std::abs(other.Gap()[j] - gap);
+      const real_t area_change = std::abs(then.area[j] - now.area[j]);
+      if (gap_change >
+             part_of_tolerance * gap_tolerance + part_of_gap * std::abs(gap) ||
+          area_change > part_of_area * now.area[j])
       {
          return true;
       }

@@ -68,7 +68,10 @@ run_case()
 # A report on $output, and the pictures of a shipped case.
 draw_case()
 {
-   local file=$SYNOVIA_SCRIPTS/plot_$(basename "$case_file" .toml).py units=()
+   # In finite deformation a case has the pictures of its namesake.
+   local name units=()
+   name=$(basename "$case_file" .toml)
+   local file=$SYNOVIA_SCRIPTS/plot_${name%_finite}.py
    if [[ $case_file -ef $shipped_cases/$(basename "$case_file") ]]
    then
       units=(--units "mm,N,s")

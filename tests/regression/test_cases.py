@@ -247,13 +247,36 @@ def indentation_hexahedra(run: Runs) -> None:
           0.0802910477, 3e-3, "force at 250 s")
 
 
+def indentation_finite(run: Runs) -> None:
+    mesh = run.mesh("indentation.py", "--size", "2.5")
+    rows = run(CASES / "indentation_finite.toml", mesh)
+    # Of the exact force of small displacements, times how much more another
+    # program finds in finite deformation.
+    for t, force in ((500, 0.1602), (1500, 0.1489)):
+        close(-4 * at(rows, t)["reaction.indenter_top.z"], force, 5e-3,
+              f"force at {t} s, finite deformation")
+    least = min(row["strain.min_det_F"] for row in rows)
+    check(least > 0.2, f"det F of {least:.2f} at least")
+    newton = sum(row["solver.newton"] for row in rows)
+    check(newton <= 4 * len(rows), f"{newton / len(rows):.1f} Newton "
+          "iterations a step")
+    balanced(rows, "indenter-cartilage")
+
+
+def glenohumeral_finite(run: Runs) -> None:
+    mesh = run.mesh("glenohumeral.py", "--size", "2.5")
+    joint(run(CASES / "glenohumeral_finite.toml", mesh, "time.end=2",
+              "time.step=0.5"))
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         run = Runs(pathlib.Path(name))
         for case in (confined, unconfined, confined_finite,
                      unconfined_finite, two_columns, hertz, indentation,
-                     indentation_hexahedra, glenohumeral,
-                     glenohumeral_hexahedra, meniscus_ring):
+                     indentation_hexahedra, indentation_finite, glenohumeral,
+                     glenohumeral_hexahedra, glenohumeral_finite,
+                     meniscus_ring):
             case(run)
     shipped = [case for case in sorted(CASES.glob("*.toml"))
                if not case.name.endswith(".frames.toml")]
