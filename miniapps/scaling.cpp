@@ -312,6 +312,7 @@ struct Totals
    int augmentations = 0;
    int linear = 0;
    int most_linear = 0;
+   real_t decades = 0.0;
    WorkCounts work;
    /// Why the run ended early; empty if it did not.
    std::string reason;
@@ -323,6 +324,7 @@ struct Totals
       augmentations += report.solve.augmentations;
       linear += report.solve.linear;
       most_linear = std::max(most_linear, report.solve.most_linear);
+      decades += report.solve.decades;
       work += report.work;
       area = report.contact_area;
       reason = report.reason;
@@ -369,6 +371,7 @@ void AddTotals(const Totals &totals, CsvRow &row)
    row.Add("linear", totals.linear);
    row.Add("most_linear", totals.most_linear);
    row.Add("mean_linear", totals.linear / std::max(1.0, 1.0 * totals.newton));
+   row.Add("linear_per_decade", totals.linear / std::max(1.0, totals.decades));
    row.Add("assemblies", totals.work.assemblies);
    row.Add("searches", totals.work.searches);
    row.Add("setups", totals.work.setups);

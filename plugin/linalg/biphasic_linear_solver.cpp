@@ -192,6 +192,7 @@ BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
       attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
       result.converged = attempt.converged;
       result.iterations += attempt.iterations;
+      result.decades -= std::log10(attempt.reduction);
       again = preconditioner->Report(attempt);
    }
    ScaleFrom(pressure_begin, pressure_scale, x);

@@ -122,6 +122,8 @@ public:
    {
       bool converged = false;
       int iterations = 0;
+      /// Decimal logarithm of how far the residual fell.
+      mfem::real_t decades = 0.0;
       /// Wall time to bring the preconditioner up to date (s).
       mfem::real_t setup_seconds = 0.0;
       /// Why the system could not be solved at all; empty if it could. The next

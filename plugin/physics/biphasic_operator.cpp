@@ -266,7 +266,7 @@ void BiphasicOperator::LinearizeContact(const Stage &stage)
    if (changed)
    {
       UpdateFactors();
-      linear->ContactMoved();
+      linear->TangentChanged();
    }
 }
 
@@ -573,6 +573,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       report.newton++;
       report.linear += result.iterations;
       report.most_linear = std::max(report.most_linear, result.iterations);
+      report.decades += result.decades;
       if (!result.failure.empty())
       {
          return Fail(result.failure);

@@ -41,6 +41,9 @@ struct SolveReport
    int linear = 0;
    /// The most that one linear system took.
    int most_linear = 0;
+   /// How far the linear systems' residuals fell, as decimal logarithms, all
+   /// together.
+   mfem::real_t decades = 0.0;
    int searches = 0;
 };
 
