@@ -1,7 +1,7 @@
 #include "synovia/checks/body_shape.hpp"
-#include "synovia/checks/triangulated_surface.hpp"
 #include "synovia/general/reduce_lists.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
+#include "synovia/mesh/triangulated_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "synovia/checks/contact_sides.hpp"
 #include "synovia/checks/body_shape.hpp"
-#include "synovia/checks/triangulated_surface.hpp"
 #include "synovia/checks/vertex_normals.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/reduce_lists.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
+#include "synovia/mesh/triangulated_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

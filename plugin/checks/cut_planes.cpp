@@ -1,9 +1,9 @@
 #include "synovia/checks/cut_planes.hpp"
 #include "synovia/checks/body_shape.hpp"
 #include "synovia/checks/surface_conditions.hpp"
-#include "synovia/checks/triangulated_surface.hpp"
 #include "synovia/general/reduce_lists.hpp"
 #include "synovia/general/text_table.hpp"
+#include "synovia/mesh/triangulated_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

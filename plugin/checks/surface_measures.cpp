@@ -1,8 +1,8 @@
 #include "synovia/checks/surface_measures.hpp"
 #include "synovia/checks/surface_conditions.hpp"
-#include "synovia/checks/triangulated_surface.hpp"
 #include "synovia/general/reduce_lists.hpp"
 #include "synovia/mesh/element_measure.hpp"
+#include "synovia/mesh/triangulated_surface.hpp"
 
 #include <set>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "synovia/contact/bounding_volume_tree.hpp"
 #include "synovia/contact/face_polynomial.hpp"
 #include "synovia/contact/surface_vertices.hpp"
+#include "synovia/general/bounding_volume_tree.hpp"
 #include "synovia/general/state_archive.hpp"
 
 #include <string>

@@ -60,6 +60,22 @@ void BroadcastNames(NameTable &names, MPI_Comm comm)
    names = std::move(received);
 }
 
+void BroadcastVectors(std::map<std::string, std::vector<Point3>> &vectors,
+                      MPI_Comm comm)
+{
+   // As tables of names are sent, in the order of the names.
+   NameTable names;
+   for (const auto &entry : vectors)
+   {
+      names[entry.first];
+   }
+   BroadcastNames(names, comm);
+   for (const auto &entry : names)
+   {
+      BroadcastArray(vectors[entry.first], comm);
+   }
+}
+
 void AddElements(const FlatMesh &flat, Mesh &mesh)
 {
    int first = 0;
@@ -150,6 +166,7 @@ void Broadcast(FlatMesh &mesh, MPI_Comm comm)
    BroadcastArray(mesh.element_attributes, comm);
    BroadcastArray(mesh.element_numbers, comm);
    BroadcastArray(mesh.element_nodes, comm);
+   BroadcastVectors(mesh.element_vectors, comm);
    BroadcastArray(mesh.faces, comm);
    BroadcastArray(mesh.face_attributes, comm);
    BroadcastNames(mesh.regions, comm);

@@ -2,6 +2,7 @@
 
 #include "mfem.hpp"
 
+#include "synovia/general/point3.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 
 #include <array>
@@ -41,6 +42,8 @@ struct FlatMesh
    std::vector<long long> element_numbers;
    /// Nodes of the elements, one element after the other.
    std::vector<int> element_nodes;
+   /// By name, a vector of each element; zero where the file has none.
+   std::map<std::string, std::vector<Point3>> element_vectors;
 
    /// Vertices of the outer faces, as seen from outside; -1 is the fourth of a
    /// triangle.

@@ -215,6 +215,23 @@ void SetElements(const MshCells &cells, const std::vector<int> &node_places,
    flat.regions = attributes.Names();
 }
 
+void SetElementVectors(const MshContents &contents, FlatMesh &flat)
+{
+   for (const auto &[name, of_number] : contents.element_vectors)
+   {
+      std::vector<Point3> &vectors = flat.element_vectors[name];
+      for (const long long number : flat.element_numbers)
+      {
+         const auto found = of_number.find(number);
+         const Point3 none{{0.0, 0.0, 0.0}};
+         vectors.push_back(found == of_number.end()
+                              ? none
+                              : Point3{{found->second[0], found->second[1],
+                                        found->second[2]}});
+      }
+   }
+}
+
 // The key of the face that a surface element is; false if not all its corners
 // are those of volume elements.
 bool FindFace(const MshCells &cells, const MshCell &cell,
@@ -320,6 +337,7 @@ FlatMesh ReadGmshFile(const std::string &path)
    const auto mirrored = SetShapes(contents.volumes, flat);
    const std::vector<int> node_places = SetNodes(contents, flat);
    SetElements(contents.volumes, node_places, flat);
+   SetElementVectors(contents, flat);
    std::vector<FaceSide> sides = SortedFaceSides(flat);
    if (OrientElements(flat, sides, mirrored) > 0)
    {

@@ -6,6 +6,7 @@
 #include "synovia/mesh/tangled_elements.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace synovia
 {
@@ -78,6 +79,43 @@ std::vector<int> ShareOfElements(const Mesh &mesh, MPI_Comm comm)
    return share;
 }
 
+// Refines each element, and finds for each of the new ones which element of the
+// file it is a part of.
+std::vector<int> Refine(Mesh &serial, int times)
+{
+   std::vector<int> origins(serial.GetNE());
+   std::iota(origins.begin(), origins.end(), 0);
+   for (int i = 0; i < times; i++)
+   {
+      serial.UniformRefinement();
+      std::vector<int> refined;
+      for (const Embedding &part : serial.GetRefinementTransforms().embeddings)
+      {
+         refined.push_back(origins[part.parent]);
+      }
+      origins = std::move(refined);
+   }
+   return origins;
+}
+
+// The vectors of this rank's elements.
+std::map<std::string, ElementVectors>
+LocalVectors(const FlatMesh &flat, const std::vector<int> &origins,
+             const NamedMesh &mesh)
+{
+   std::map<std::string, ElementVectors> local;
+   for (const auto &[name, vectors] : flat.element_vectors)
+   {
+      ElementVectors &own = local[name];
+      for (const int element : mesh.SerialElements())
+      {
+         own.vectors.push_back(vectors[origins[element]]);
+         own.numbers.push_back(flat.element_numbers[origins[element]]);
+      }
+   }
+   return local;
+}
+
 NamedMesh Read(const std::string &file, MPI_Comm comm,
                const ReadOptions &options)
 {
@@ -93,11 +131,10 @@ NamedMesh Read(const std::string &file, MPI_Comm comm,
    ThrowIfTangled(
       comm, serial, ShareOfElements(serial, comm),
       [&](int element) { return flat.element_numbers[element]; }, flat.regions);
-   for (int i = 0; i < options.refine; i++)
-   {
-      serial.UniformRefinement();
-   }
-   return DistributeMesh(serial, flat.regions, flat.boundaries, comm);
+   const std::vector<int> origins = Refine(serial, options.refine);
+   NamedMesh mesh = DistributeMesh(serial, flat.regions, flat.boundaries, comm);
+   mesh.SetVectors(LocalVectors(flat, origins, mesh));
+   return mesh;
 }
 
 } // namespace

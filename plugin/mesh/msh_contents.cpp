@@ -96,6 +96,8 @@ private:
    std::map<std::pair<Dimension, Tag>, std::vector<int>> entity_groups;
    // Places of the sets of groups in the cells of each dimension.
    std::map<std::vector<int>, int> group_places[4];
+   // The time step of each view of elements.
+   std::map<std::string, int> view_steps;
 
    void Section(const std::string &section)
    {
@@ -124,6 +126,10 @@ private:
       else if (section == "Elements")
       {
          old ? ReadOldElements() : ReadElements();
+      }
+      else if (section == "ElementData")
+      {
+         ReadElementData();
       }
       else
       {
@@ -167,15 +173,21 @@ private:
       {
          const int dimension = ReadDimension();
          const int tag = ReadGroup();
-         const std::string line = cursor.Line();
-         const size_t start = line.find('"');
-         const size_t end = line.rfind('"');
-         if (start == end)
-         {
-            cursor.Fail("expected a name in quotes on the line before");
-         }
-         names[{dimension, tag}] = line.substr(start + 1, end - start - 1);
+         names[{dimension, tag}] = ReadQuoted();
       }
+   }
+
+   // What is in quotes in the rest of the line.
+   std::string ReadQuoted()
+   {
+      const std::string line = cursor.Line();
+      const size_t start = line.find('"');
+      const size_t end = line.rfind('"');
+      if (start == end)
+      {
+         cursor.Fail("expected a name in quotes on the line before");
+      }
+      return line.substr(start + 1, end - start - 1);
    }
 
    int ReadDimension()
@@ -418,6 +430,54 @@ private:
       for (int j = 0; j < type.nodes; j++)
       {
          AddNode(type, number, ReadNumber());
+      }
+   }
+
+   // The head is text in a binary file, too.
+   void ReadElementData()
+   {
+      const size_t texts = cursor.Count();
+      cursor.Line();
+      std::string name;
+      for (size_t i = 0; i < texts; i++)
+      {
+         const std::string text = ReadQuoted();
+         name = i == 0 ? text : name;
+      }
+      cursor.SkipReals(cursor.Count());
+      const size_t counts = cursor.Count();
+      if (counts < 3)
+      {
+         cursor.Fail("data of elements need a time step, a number of "
+                     "components and a number of elements");
+      }
+      const int step = cursor.Int();
+      const size_t components = cursor.Count();
+      const size_t number = cursor.Count();
+      cursor.SkipInts(counts - 3);
+      cursor.Line();
+      cursor.binary = binary;
+      const bool taken = components == 3 &&
+                         view_steps.emplace(name, step).first->second == step;
+      for (size_t i = 0; i < number; i++)
+      {
+         const int element = cursor.Int();
+         if (!taken)
+         {
+            cursor.SkipReals(components);
+            continue;
+         }
+         std::array<double, 3> &vector =
+            contents.element_vectors[name][element];
+         for (double &component : vector)
+         {
+            component = cursor.Real();
+            if (!std::isfinite(component))
+            {
+               cursor.Fail("the vector of element " + std::to_string(element) +
+                           " in \"" + name + "\" is not finite");
+            }
+         }
       }
    }
 

@@ -2,8 +2,10 @@
 
 #include "synovia/mesh/gmsh_element_types.hpp"
 
+#include <array>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace synovia
@@ -41,6 +43,10 @@ struct MshContents
    std::vector<double> coordinates;
    MshCells volumes;
    MshCells surfaces;
+   /// By the names of views, what $ElementData has of vectors, by the numbers
+   /// of elements. Of several time steps the first one that is there.
+   std::map<std::string, std::unordered_map<long long, std::array<double, 3>>>
+      element_vectors;
 };
 
 /// Reads an MSH file of version 2 or 4.1, ascii or binary. Throws Error, whose

@@ -154,6 +154,39 @@ Array<int> NamedMesh::Boundary(const std::string &name) const
    return Find("boundary", name, boundaries, mesh->bdr_attributes);
 }
 
+const ElementVectors &NamedMesh::Vectors(const std::string &name) const
+{
+   const auto found = vectors.find(name);
+   if (found == vectors.end())
+   {
+      std::vector<std::string> known;
+      for (const auto &entry : vectors)
+      {
+         known.push_back(entry.first);
+      }
+      const std::string guess = Suggest(name, known);
+      throw Error("the mesh has no vectors of elements named \"" + name +
+                  "\"; " +
+                  (known.empty() ? "it has none; in a gmsh file they are "
+                                   "$ElementData with three components"
+                                 : "there are: " + Join(known)) +
+                  (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+   }
+   return found->second;
+}
+
+void NamedMesh::SetVectors(std::map<std::string, ElementVectors> vectors_)
+{
+   for (const auto &entry : vectors_)
+   {
+      MFEM_VERIFY(static_cast<int>(entry.second.vectors.size()) ==
+                        mesh->GetNE() &&
+                     entry.second.numbers.size() == entry.second.vectors.size(),
+                  "a vector and a number are needed for each element");
+   }
+   vectors = std::move(vectors_);
+}
+
 std::string NameOf(const NameTable &names, int attribute)
 {
    std::string text;

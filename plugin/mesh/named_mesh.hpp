@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "synovia/general/point3.hpp"
 
 #include <map>
 #include <memory>
@@ -13,6 +13,15 @@ namespace synovia
 /// Names and the attributes that each of them stands for, ascending. A name
 /// without attributes is known but has no elements.
 using NameTable = std::map<std::string, std::vector<int>>;
+
+/// Vectors of elements that a mesh file has under one name.
+struct ElementVectors
+{
+   /// One for each element of this rank; zero where the file has none.
+   std::vector<Point3> vectors;
+   /// The elements' numbers in the file.
+   std::vector<long long> numbers;
+};
 
 /// A distributed mesh whose regions and boundaries go by name.
 ///
@@ -44,6 +53,13 @@ public:
    const NameTable &Regions() const { return regions; }
    const NameTable &Boundaries() const { return boundaries; }
 
+   /// Throws Error, which lists the names there are, if no vectors of elements
+   /// have this name.
+   const ElementVectors &Vectors(const std::string &name) const;
+
+   /// The vectors by name; the names must be the same on all ranks.
+   void SetVectors(std::map<std::string, ElementVectors> vectors_);
+
    /// For each element of this rank its number in the mesh before it was
    /// distributed: the same element whatever the number of ranks, and with the
    /// same order of its vertices.
@@ -54,6 +70,7 @@ private:
    NameTable regions;
    NameTable boundaries;
    std::vector<int> serial_elements;
+   std::map<std::string, ElementVectors> vectors;
 };
 
 /// The names that stand for an attribute, joined by slashes, or its number.
@@ -88,7 +105,8 @@ struct ReadOptions
 /// surfaces count only where they bound the volume: faces between two volume
 /// elements are left out, and using a name that has none but those is an error.
 /// Nodes of no volume element are left out. Elements numbered left-handed are
-/// renumbered.
+/// renumbered. Vectors of elements ($ElementData with three components) go by
+/// the name of their view; the parts of a refined element have its vector.
 ///
 /// Throws Error on a missing or damaged file, a mesh without volume elements,
 /// volume elements in no physical group, surfaces that belong to no volume,

@@ -198,9 +198,29 @@ def save_points(path: pathlib.Path) -> None:
     path.with_suffix(".points").write_text("\n".join(lines) + "\n")
 
 
+def append_views(path: pathlib.Path) -> None:
+    """Of the elements: "around", which is e_z x x at their centers, and their
+    numbers."""
+    numbers: list[int] = []
+    around: list[list[float]] = []
+    for kind, tags in zip(*gmsh.model.mesh.getElements(3)[:2]):
+        centers = gmsh.model.mesh.getBarycenters(kind, -1, False, True)
+        numbers += [int(tag) for tag in tags]
+        around += [[-y, x, 0.0] for x, y in zip(centers[::3], centers[1::3])]
+    gmsh.option.setNumber("PostProcessing.SaveMesh", 0)
+    for name, data in (("around", around),
+                       ("number", [[number] for number in numbers])):
+        view = gmsh.view.add(name)
+        gmsh.view.addModelData(view, 0, gmsh.model.getCurrent(),
+                               "ElementData", numbers, data,
+                               numComponents=len(data[0]))
+        gmsh.view.write(view, str(path), append=True)
+
+
 def save(directory: pathlib.Path, model: str, build: Callable[[], None],
          version: float = 4.1, binary: bool = False, order: int = 1,
-         serendipity: bool = False, points: bool = False) -> None:
+         serendipity: bool = False, points: bool = False,
+         views: bool = False) -> None:
     gmsh.initialize(["gmsh"], False)
     gmsh.option.setNumber("General.Terminal", 0)
     # It complains of what it lacks for cubic prisms, which is not needed.
@@ -218,6 +238,8 @@ def save(directory: pathlib.Path, model: str, build: Callable[[], None],
     # Tests that run at the same time see all of a mesh or the one before.
     fresh = path.with_suffix(f".{os.getpid()}.msh")
     gmsh.write(str(fresh))
+    if views:
+        append_views(fresh)
     fresh.replace(path)
     if points:
         save_points(path)
@@ -250,6 +272,9 @@ def save_all(directory: pathlib.Path) -> None:
              serendipity=serendipity, points=True)
     for kind in formats:
         save(directory, "overlapping_groups", overlapping_groups, **kind)
+        for cells in CELLS:
+            save(directory, f"cylinder_{cells}_views",
+                 lambda: cylinder(cells, 0.5), views=True, **kind)
     for build in (parametric, partitioned):
         for binary in (False, True):
             save(directory, build.__name__, build, binary=binary)

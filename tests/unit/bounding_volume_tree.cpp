@@ -2,7 +2,7 @@
 //
 // The tree of boxes against brute force.
 
-#include "synovia/contact/bounding_volume_tree.hpp"
+#include "synovia/general/bounding_volume_tree.hpp"
 
 #include <catch2/catch.hpp>
 

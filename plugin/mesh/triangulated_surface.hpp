@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/contact/bounding_volume_tree.hpp"
+#include "synovia/general/bounding_volume_tree.hpp"
 
 #include <array>
 #include <functional>
@@ -11,6 +11,19 @@ namespace synovia
 
 /// Three corners, counter-clockwise as seen from outside.
 using Triangle = std::array<Point3, 3>;
+
+/// Barycentric coordinates of a point of a triangle.
+using TriangleWeights = std::array<mfem::real_t, 3>;
+
+inline Point3 Interpolate(const Triangle &t, const TriangleWeights &weights)
+{
+   Point3 sum{{0.0, 0.0, 0.0}};
+   for (int i = 0; i < 3; i++)
+   {
+      sum = Sum(sum, weights[i], t[i]);
+   }
+   return sum;
+}
 
 /// Along the outward normal, twice as long as the area.
 inline Point3 AreaVector(const Triangle &t)
@@ -28,6 +41,18 @@ public:
                        const std::function<bool(int)> &picked);
 
    bool Empty() const { return triangles.empty(); }
+   const std::vector<Triangle> &Triangles() const { return triangles; }
+   /// The diagonal of a box around all of it.
+   mfem::real_t Size() const { return size; }
+
+   /// Where a surface is nearest to a point.
+   struct Foot
+   {
+      int triangle = -1;
+      TriangleWeights weights{{0.0, 0.0, 0.0}};
+   };
+   /// Of the surface, which must not be empty.
+   Foot FindFoot(const Point3 &point) const;
 
    /// From a point to the nearest one of the surface, or anything between that
    /// and @a enough if it isn't farther.

@@ -1,4 +1,4 @@
-#include "synovia/contact/bounding_volume_tree.hpp"
+#include "synovia/general/bounding_volume_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "synovia/checks/triangulated_surface.hpp"
+#include "synovia/mesh/triangulated_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +21,21 @@ Point3 Difference(const Point3 &a, const Point3 &b)
    return Sum(a, -1.0, b);
 }
 
-real_t DistanceToSegment(const Point3 &x, const Point3 &a, const Point3 &b)
+// How far along a segment it is nearest to a point, from 0 to 1.
+real_t NearestPart(const Point3 &x, const Point3 &a, const Point3 &b)
 {
    const Point3 edge = Difference(b, a);
    const real_t square = Dot(edge, edge);
    const real_t s = square > 0.0 ? Dot(Difference(x, a), edge) / square : 0.0;
-   return Length(Difference(
-      x, Sum(a, std::min(std::max(s, real_t(0.0)), real_t(1.0)), edge)));
+   return std::min(std::max(s, real_t(0.0)), real_t(1.0));
 }
 
 // Barycentric coordinates of a point's projection on the plane of a triangle.
-std::array<real_t, 3> Coordinates(const Point3 &x, const Triangle &t,
-                                  const Point3 &area)
+TriangleWeights Coordinates(const Point3 &x, const Triangle &t,
+                            const Point3 &area)
 {
    const real_t square = Dot(area, area);
-   std::array<real_t, 3> weights;
+   TriangleWeights weights;
    for (int i = 0; i < 3; i++)
    {
       const Point3 &b = t[(i + 1) % 3];
@@ -46,24 +46,46 @@ std::array<real_t, 3> Coordinates(const Point3 &x, const Triangle &t,
    return weights;
 }
 
-bool IsInside(const std::array<real_t, 3> &weights)
+bool IsInside(const TriangleWeights &weights)
 {
    constexpr real_t tolerance = 1e-9;
    return std::all_of(weights.begin(), weights.end(),
                       [](real_t weight) { return weight >= -tolerance; });
 }
 
-real_t DistanceToTriangle(const Point3 &x, const Triangle &t)
+// Of the point of a triangle that is nearest to x.
+TriangleWeights NearestWeights(const Point3 &x, const Triangle &t)
 {
    const Point3 area = AreaVector(t);
-   const real_t length = Length(area);
-   if (length > 0.0 && IsInside(Coordinates(x, t, area)))
+   if (Length(area) > 0.0)
    {
-      return std::abs(Dot(Difference(x, t[0]), area)) / length;
+      const TriangleWeights weights = Coordinates(x, t, area);
+      if (IsInside(weights))
+      {
+         return weights;
+      }
    }
-   return std::min({DistanceToSegment(x, t[0], t[1]),
-                    DistanceToSegment(x, t[1], t[2]),
-                    DistanceToSegment(x, t[2], t[0])});
+   TriangleWeights nearest{};
+   real_t least = std::numeric_limits<real_t>::infinity();
+   for (int i = 0; i < 3; i++)
+   {
+      const int j = (i + 1) % 3;
+      TriangleWeights weights{{0.0, 0.0, 0.0}};
+      weights[j] = NearestPart(x, t[i], t[j]);
+      weights[i] = 1.0 - weights[j];
+      const real_t distance = Length(Difference(x, Interpolate(t, weights)));
+      if (distance < least)
+      {
+         least = distance;
+         nearest = weights;
+      }
+   }
+   return nearest;
+}
+
+real_t DistanceToTriangle(const Point3 &x, const Triangle &t)
+{
+   return Length(Difference(x, Interpolate(t, NearestWeights(x, t))));
 }
 
 std::vector<Triangle> OnAllRanks(const std::vector<Triangle> &mine,
@@ -158,6 +180,28 @@ real_t TriangulatedSurface::Distance(const Point3 &point, real_t enough) const
    return tree.LeastDistance(
       point, enough,
       [&](int i) { return DistanceToTriangle(point, triangles[i]); });
+}
+
+TriangulatedSurface::Foot
+TriangulatedSurface::FindFoot(const Point3 &point) const
+{
+   Foot foot;
+   real_t least = std::numeric_limits<real_t>::infinity();
+   tree.LeastDistance(
+      point, 0.0,
+      [&](int i)
+      {
+         const TriangleWeights weights = NearestWeights(point, triangles[i]);
+         const real_t distance =
+            Length(Difference(point, Interpolate(triangles[i], weights)));
+         if (distance < least)
+         {
+            least = distance;
+            foot = {i, weights};
+         }
+         return distance;
+      });
+   return foot;
 }
 
 real_t TriangulatedSurface::WayThrough(const Point3 &from,
