@@ -101,6 +101,46 @@ void CheckFrame(const FrameCase &frame, const std::string &path,
    check(frame.around, "around", !frame.between.empty());
 }
 
+// The keys that go with one type of frames only.
+void CheckFrameType(const FrameCase &frame, const std::string &path,
+                    CaseReading &reading)
+{
+   const auto check = [&](const std::string &key, bool given, FrameType type,
+                          const std::string &word, const std::string &meaning)
+   {
+      const std::string here = path + "." + key;
+      if (given && frame.type != type)
+      {
+         reading.AddError(here, "this goes with type = " + Quoted(word) +
+                                   "; give that, or leave it out");
+      }
+      else if (!given && frame.type == type && !reading.HasError(here))
+      {
+         reading.AddError(here, "this is missing (" + meaning + ")");
+      }
+   };
+   check("name", !frame.name.empty(), FrameType::field, "field",
+         "of the vectors in the mesh file");
+   check("direction", frame.HasDirection(), FrameType::projected, "projected",
+         "the vector that is projected on the surfaces");
+   check("surfaces", !frame.surfaces.empty(), FrameType::projected, "projected",
+         "what the direction is projected on");
+   if (!frame.surfaces.empty())
+   {
+      CheckNames(frame.surfaces, path + ".surfaces", "surface", reading);
+   }
+   const bool has_axis = frame.type == FrameType::cartesian ||
+                         frame.type == FrameType::cylindrical;
+   for (const char *const key : {".axis", ".origin"})
+   {
+      if (!has_axis && reading.Places().count(path + key))
+      {
+         reading.AddError(path + key, "a frame of this type has none; leave it "
+                                      "out");
+      }
+   }
+}
+
 void CheckMaterials(const CaseFile &setup, CaseReading &reading)
 {
    reading.Require(!setup.materials.empty(), "material",
@@ -112,6 +152,7 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
       const std::string path = Path("material", i, "regions");
       CheckNames(material.regions, path, "region", reading);
       CheckFrame(material.frame, Path("material", i, "frame"), reading);
+      CheckFrameType(material.frame, Path("material", i, "frame"), reading);
       CheckLaws(material, Path("material", i), setup.space.deformation,
                 reading);
       for (const std::string &region : Distinct(material.regions))

@@ -37,6 +37,13 @@ struct MeshCase
    MeshGenerator generator;
 };
 
+/// A law of fibers by its name, for those of a distribution.
+struct FiberCase
+{
+   std::string model = "fiber_exp_pow";
+   std::map<std::string, mfem::real_t> parameters{};
+};
+
 /// A law of the drained solid by its name, with the values of its parameters by
 /// theirs: see SolidLaws(), or `synovia --dry-schema`.
 struct SolidCase
@@ -45,6 +52,9 @@ struct SolidCase
    std::map<std::string, mfem::real_t> parameters{};
    /// What a mixture is made of.
    std::vector<SolidCase> solids{};
+   std::map<std::string, std::array<mfem::real_t, 3>> vectors{};
+   /// What a distribution of fibers is made of.
+   FiberCase fibers{};
 };
 
 /// A law of the permeability likewise: see PermeabilityLaws().
@@ -57,7 +67,11 @@ struct PermeabilityCase
 enum class FrameType
 {
    cartesian,
-   cylindrical
+   cylindrical,
+   /// Along a vector that the mesh file has for each element.
+   field,
+   /// Along surfaces.
+   projected
 };
 
 /// The axes of an anisotropic material.
@@ -71,8 +85,14 @@ struct FrameCase
    /// them best, seen along the axis.
    std::vector<std::string> around;
    std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
+   /// Of the vectors in the mesh file.
+   std::string name;
+   /// What is projected, and the surfaces that it is projected on.
+   std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
+   std::vector<std::string> surfaces;
 
    bool HasOrigin() const;
+   bool HasDirection() const;
 };
 
 struct MaterialCase

@@ -62,7 +62,9 @@ KeyTable FrameKeys(FrameCase &frame)
    KeyTable keys;
    keys.Word<FrameType>("type", frame.type,
                         {{"cartesian", FrameType::cartesian},
-                         {"cylindrical", FrameType::cylindrical}},
+                         {"cylindrical", FrameType::cylindrical},
+                         {"field", FrameType::field},
+                         {"projected", FrameType::projected}},
                         "kind of axes");
    keys.Value("origin", frame.origin, length,
               "point on the axis of a cylindrical frame");
@@ -75,6 +77,15 @@ KeyTable FrameKeys(FrameCase &frame)
    keys.Value("axis", frame.axis, "",
               "axis of a cylindrical frame, about which fibers run; direction "
               "of the fibers in a cartesian one");
+   keys.Value("name", frame.name, "",
+              "for a field: of the vectors in the mesh file ($ElementData of "
+              "gmsh), along which fibers run in each element");
+   keys.Value("direction", frame.direction, "",
+              "for a projected frame: the vector along whose projection on the "
+              "surfaces fibers run");
+   keys.Value("surfaces", frame.surfaces, "",
+              "for a projected frame: in each element the nearest point of "
+              "them counts, z is its outward normal");
    return keys;
 }
 

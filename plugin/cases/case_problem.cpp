@@ -1,6 +1,8 @@
 #include "synovia/cases/case_problem.hpp"
 #include "synovia/fem/body.hpp"
+#include "synovia/materials/field_frame.hpp"
 #include "synovia/materials/law_registry.hpp"
+#include "synovia/materials/projected_frame.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/mesh/surface_center.hpp"
 
@@ -77,6 +79,12 @@ void CheckRegions(const CaseFile &setup, const NamedMesh &mesh,
                                 WhereIs(reading.Places(), first->second) + ")");
          }
       }
+      const FrameCase &frame = setup.materials[i].frame;
+      if (frame.type == FrameType::field)
+      {
+         reading.Catch(Path("material", i, "frame.name"),
+                       [&]() { mesh.Vectors(frame.name); });
+      }
    }
    for (const int region : mesh.Get().attributes)
    {
@@ -103,6 +111,7 @@ void CheckSurfaces(const CaseFile &setup, const NamedMesh &mesh,
    {
       check(setup.materials[i].frame.between, "material", i, "frame.between");
       check(setup.materials[i].frame.around, "material", i, "frame.around");
+      check(setup.materials[i].frame.surfaces, "material", i, "frame.surfaces");
    }
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
@@ -182,12 +191,19 @@ Point3 FindOrigin(const FrameCase &frame, NamedMesh &mesh)
 std::unique_ptr<MaterialFrame> MakeFrame(const FrameCase &frame,
                                          NamedMesh &mesh)
 {
-   if (frame.type == FrameType::cylindrical)
+   switch (frame.type)
    {
+   case FrameType::cylindrical:
       return std::make_unique<CylindricalFrame>(FindOrigin(frame, mesh),
                                                 frame.axis);
+   case FrameType::field:
+      return std::make_unique<FieldFrame>(mesh, frame.name);
+   case FrameType::projected:
+      return std::make_unique<ProjectedFrame>(
+         mesh, NamedBoundaries(mesh, frame.surfaces), frame.direction);
+   default:
+      return std::make_unique<CartesianFrame>(frame.axis);
    }
-   return std::make_unique<CartesianFrame>(frame.axis);
 }
 } // namespace
 
@@ -225,7 +241,15 @@ const SolidLaw &CaseProblem::AddSolid(const SolidCase &solid, LawArguments from)
       from.parts.push_back(
          &AddSolid(part, {{}, from.frame, from.solid_fraction, {}}));
    }
+   const LawDescription *const law = SolidLaws().Find(solid.model);
+   if (law && law->has_fibers)
+   {
+      const SolidCase fibers{solid.fibers.model, solid.fibers.parameters};
+      from.parts.push_back(
+         &AddSolid(fibers, {{}, from.frame, from.solid_fraction, {}}));
+   }
    from.values = solid.parameters;
+   from.vectors = solid.vectors;
    solids.push_back(SolidLaws().Make(solid.model, from));
    return *solids.back();
 }

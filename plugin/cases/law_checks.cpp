@@ -1,6 +1,7 @@
 #include "synovia/cases/law_checks.hpp"
 #include "synovia/cases/case_words.hpp"
 #include "synovia/cases/key_names.hpp"
+#include "synovia/general/error.hpp"
 #include "synovia/materials/law_registry.hpp"
 
 namespace synovia
@@ -19,6 +20,23 @@ std::vector<std::string> AllQuoted(std::vector<std::string> names)
       name = Quoted(name);
    }
    return names;
+}
+
+void CheckVectors(const LawDescription &law,
+                  const std::map<std::string, Point3> &vectors,
+                  const std::string &path, CaseReading &reading)
+{
+   for (const auto &[name, value] : vectors)
+   {
+      const std::string here = path + "." + name;
+      const LawVector *const vector = law.FindVector(name);
+      reading.Require(vector, here,
+                      Quoted(law.name) + " has no such parameter");
+      if (!reading.HasError(here))
+      {
+         reading.Catch(here, [&, &x = value]() { vector->Verify(x); });
+      }
+   }
 }
 
 template <typename Law>
@@ -58,6 +76,16 @@ void CheckLaws(const MaterialCase &material, const std::string &path,
    {
       CheckLaw(SolidLaws(), solid.model, solid.parameters, at, deformation,
                reading);
+      const LawDescription *const law = SolidLaws().Find(solid.model);
+      if (law)
+      {
+         CheckVectors(*law, solid.vectors, at, reading);
+      }
+      if (law && law->has_fibers)
+      {
+         CheckLaw(SolidLaws(), solid.fibers.model, solid.fibers.parameters,
+                  at + ".fibers", deformation, reading);
+      }
    };
    const std::string solid_path = path + ".solid";
    const SolidCase &solid = material.solid;

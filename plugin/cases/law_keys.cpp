@@ -13,24 +13,27 @@ using Alternatives = std::vector<KeyTable::Alternative>;
 
 const char *const model = "model";
 
-/// A parameter of a law, which may be left out where it has a standard value.
+/// A parameter of a law, which may be left out where it has a standard value:
+/// a LawParameter, which is a number, or a LawVector, which is three.
+template <typename Parameter, typename Value>
 class ParameterBinding : public KeyBinding
 {
 public:
-   ParameterBinding(const LawParameter &parameter_, Values &values_)
+   ParameterBinding(const Parameter &parameter_,
+                    std::map<std::string, Value> &values_)
       : parameter(parameter_), values(values_)
    {
    }
-   std::string Type() const override { return type_name<real_t>; }
+   std::string Type() const override { return type_name<Value>; }
    TomlText Text() const override
    {
-      const std::optional<real_t> number = Number();
-      return number ? TextOf(*number) : TomlText();
+      const std::optional<Value> value = Present();
+      return value ? TextOf(*value) : TomlText();
    }
-   bool IsSet() const override { return Number().has_value(); }
+   bool IsSet() const override { return Present().has_value(); }
    void Read(const CaseInput &from) override
    {
-      real_t value = 0.0;
+      Value value{};
       ReadValue(from, value);
       if (!from.HasError())
       {
@@ -39,40 +42,73 @@ public:
    }
    std::optional<real_t> Number() const override
    {
+      if constexpr (std::is_same_v<Value, real_t>)
+      {
+         return Present();
+      }
+      return std::nullopt;
+   }
+
+private:
+   std::optional<Value> Present() const
+   {
       const auto found = values.find(parameter.name);
       return found == values.end() ? parameter.standard : found->second;
    }
 
-private:
-   LawParameter parameter;
-   Values &values;
+   Parameter parameter;
+   std::map<std::string, Value> &values;
 };
 
-KeyTable ParameterKeys(const LawDescription &law, Values &values)
+template <typename Parameter, typename Value>
+void AddKeys(const std::vector<Parameter> &parameters,
+             std::map<std::string, Value> &values, KeyTable &keys)
 {
-   KeyTable keys;
-   for (const LawParameter &parameter : law.parameters)
+   using Binding = ParameterBinding<Parameter, Value>;
+   for (const Parameter &parameter : parameters)
    {
-      CaseKey &key = keys.Bind(
-         parameter.name, std::make_unique<ParameterBinding>(parameter, values),
-         parameter.unit, parameter.noun);
+      CaseKey &key =
+         keys.Bind(parameter.name, std::make_unique<Binding>(parameter, values),
+                   parameter.unit, parameter.noun);
       key.In(parameter.range).Named(parameter.noun);
       if (!parameter.standard)
       {
          key.Required();
       }
    }
+}
+
+KeyTable ParameterKeys(const LawDescription &law, Values &values)
+{
+   KeyTable keys;
+   AddKeys(law.parameters, values, keys);
    return keys;
 }
 
+bool IsAny(const LawDescription &)
+{
+   return true;
+}
+
+bool IsPart(const LawDescription &law)
+{
+   return !law.has_parts;
+}
+
+bool IsFiber(const LawDescription &law)
+{
+   return law.is_fiber;
+}
+
 template <typename Law>
-Alternatives Described(const LawRegistry<Law> &laws, bool with_parts)
+Alternatives Described(const LawRegistry<Law> &laws,
+                       bool (*is_meant)(const LawDescription &))
 {
    Alternatives alternatives;
    for (const auto &entry : laws.Entries())
    {
       const LawDescription &law = entry.description;
-      if (with_parts || !law.has_parts)
+      if (is_meant(law))
       {
          const std::string deformation =
             law.only_for
@@ -84,13 +120,36 @@ Alternatives Described(const LawRegistry<Law> &laws, bool with_parts)
    return alternatives;
 }
 
+KeyTable FiberKeys(FiberCase &fibers)
+{
+   KeyTable keys;
+   keys.Choice(
+      model, fibers.model, Described(SolidLaws(), IsFiber),
+      [&fibers](const std::string &word)
+      { return ParameterKeys(*SolidLaws().Find(word), fibers.parameters); },
+      "law of the fibers, one of:");
+   return keys;
+}
+
+// Of a law that isn't made of other bodies.
+KeyTable SimpleKeys(const LawDescription &law, SolidCase &solid)
+{
+   KeyTable keys = ParameterKeys(law, solid.parameters);
+   AddKeys(law.vectors, solid.vectors, keys);
+   if (law.has_fibers)
+   {
+      keys.Table("fibers", FiberKeys(solid.fibers), "");
+   }
+   return keys;
+}
+
 KeyTable PartKeys(SolidCase &part)
 {
    KeyTable keys;
    keys.Choice(
-      model, part.model, Described(SolidLaws(), false),
+      model, part.model, Described(SolidLaws(), IsPart),
       [&part](const std::string &word)
-      { return ParameterKeys(*SolidLaws().Find(word), part.parameters); },
+      { return SimpleKeys(*SolidLaws().Find(word), part); },
       "");
    return keys;
 }
@@ -101,7 +160,7 @@ KeyTable SolidKeys(SolidCase &solid)
    const auto describe = [&solid](const std::string &word)
    {
       const LawDescription &law = *SolidLaws().Find(word);
-      KeyTable keys = ParameterKeys(law, solid.parameters);
+      KeyTable keys = SimpleKeys(law, solid);
       if (law.has_parts)
       {
          CaseKey &parts = keys.List<SolidCase>(
@@ -113,7 +172,7 @@ KeyTable SolidKeys(SolidCase &solid)
       return keys;
    };
    KeyTable keys;
-   keys.Choice(model, solid.model, Described(SolidLaws(), true), describe,
+   keys.Choice(model, solid.model, Described(SolidLaws(), IsAny), describe,
                "law of the drained solid, one of:");
    return keys;
 }
@@ -122,7 +181,7 @@ KeyTable PermeabilityKeys(PermeabilityCase &permeability)
 {
    KeyTable keys;
    keys.Choice(
-      model, permeability.model, Described(PermeabilityLaws(), true),
+      model, permeability.model, Described(PermeabilityLaws(), IsAny),
       [&permeability](const std::string &word)
       {
          return ParameterKeys(*PermeabilityLaws().Find(word),

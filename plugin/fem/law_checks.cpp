@@ -130,6 +130,10 @@ public:
       std::string failure = material.solid->Validate(map);
       if (failure.empty())
       {
+         failure = material.permeability->Validate(map);
+      }
+      if (failure.empty())
+      {
          failure = StiffnessObjection(*material.solid, element);
       }
       return failure.empty()

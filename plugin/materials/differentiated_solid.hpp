@@ -2,8 +2,6 @@
 
 #include "synovia/materials/solid_law.hpp"
 
-#include <cmath>
-
 namespace synovia
 {
 
@@ -35,17 +33,6 @@ public:
       }
       Separate(differentiated, stress, *tangent);
       return IsFinite(stress);
-   }
-
-private:
-   static bool IsFinite(const Tensor3<> &stress)
-   {
-      bool finite = true;
-      for (int k = 0; k < 9; k++)
-      {
-         finite = finite && std::isfinite(stress[k / 3][k % 3]);
-      }
-      return finite;
    }
 };
 

@@ -18,13 +18,19 @@ struct LawArguments
    const MaterialFrame &frame;
    /// Of the undeformed material.
    mfem::real_t solid_fraction;
-   /// Of a mixture.
+   /// Of a mixture; of a distribution its fibers.
    std::vector<const SolidLaw *> parts;
+   /// By the names of the law's vectors.
+   std::map<std::string, Point3> vectors{};
 
    /// The value of a parameter, which must be there.
    mfem::real_t operator[](const std::string &parameter) const
    {
       return values.at(parameter);
+   }
+   const Point3 &Vector(const std::string &name) const
+   {
+      return vectors.at(name);
    }
 };
 

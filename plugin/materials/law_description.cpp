@@ -16,21 +16,48 @@ void LawParameter::Verify(real_t value) const
    }
 }
 
+void LawVector::Verify(const Point3 &value) const
+{
+   for (const real_t component : value)
+   {
+      if (!range.Has(component))
+      {
+         throw Error(noun + " is [" + ToText(value[0]) + ", " +
+                     ToText(value[1]) + ", " + ToText(value[2]) +
+                     "]; each number must be " + range.Text());
+      }
+   }
+}
+
 bool LawDescription::Allows(Deformation deformation) const
 {
    return !only_for || *only_for == deformation;
 }
 
-const LawParameter *LawDescription::Find(const std::string &parameter) const
+namespace
 {
-   for (const LawParameter &own : parameters)
+template <typename Named>
+const Named *FindNamed(const std::vector<Named> &all, const std::string &name)
+{
+   for (const Named &one : all)
    {
-      if (own.name == parameter)
+      if (one.name == name)
       {
-         return &own;
+         return &one;
       }
    }
    return nullptr;
+}
+} // namespace
+
+const LawParameter *LawDescription::Find(const std::string &parameter) const
+{
+   return FindNamed(parameters, parameter);
+}
+
+const LawVector *LawDescription::FindVector(const std::string &vector) const
+{
+   return FindNamed(vectors, vector);
 }
 
 void LawDescription::Verify(std::initializer_list<real_t> values) const

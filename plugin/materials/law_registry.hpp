@@ -89,6 +89,18 @@ public:
                         parameter.noun + ")");
          }
       }
+      for (const LawVector &vector : entry->description.vectors)
+      {
+         if (vector.standard)
+         {
+            from.vectors.emplace(vector.name, *vector.standard);
+         }
+         if (!from.vectors.count(vector.name))
+         {
+            throw Error(vector.name + " of \"" + name + "\" is missing (" +
+                        vector.noun + ")");
+         }
+      }
       return entry->make(from);
    }
 

@@ -21,22 +21,17 @@ Point3 Unit(const Point3 &a, const std::string &what)
    return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-void SetAxes(const Point3 &r, const Point3 &theta, const Point3 &z,
-             DenseMatrix &axes)
-{
-   axes.SetSize(3);
-   for (int d = 0; d < 3; d++)
-   {
-      axes(d, 0) = r[d];
-      axes(d, 1) = theta[d];
-      axes(d, 2) = z[d];
-   }
-}
 } // namespace
 
-CartesianFrame::CartesianFrame(const Point3 &theta_)
+Tensor3<> AxesOf(const Point3 &r, const Point3 &theta, const Point3 &z)
 {
-   const Point3 theta = Unit(theta_, "axis of a cartesian frame");
+   return {
+      {{r[0], theta[0], z[0]}, {r[1], theta[1], z[1]}, {r[2], theta[2], z[2]}}};
+}
+
+Tensor3<> AxesAlong(const Point3 &theta_)
+{
+   const Point3 theta = Unit(theta_, "direction of fibers");
    // Any direction that is far from theta leads to one across it.
    int smallest = 0;
    for (int d = 1; d < 3; d++)
@@ -49,12 +44,12 @@ CartesianFrame::CartesianFrame(const Point3 &theta_)
    Point3 other{{0.0, 0.0, 0.0}};
    other[smallest] = 1.0;
    const Point3 z = Unit(Cross(other, theta), "");
-   SetAxes(Cross(theta, z), theta, z, fixed_axes);
+   return AxesOf(Cross(theta, z), theta, z);
 }
 
-void CartesianFrame::GetAxes(const Vector &, DenseMatrix &axes) const
+CartesianFrame::CartesianFrame(const Point3 &theta)
+   : axes(AxesAlong(Unit(theta, "axis of a cartesian frame")))
 {
-   axes = fixed_axes;
 }
 
 CylindricalFrame::CylindricalFrame(const Point3 &origin_, const Point3 &axis_)
@@ -68,14 +63,18 @@ Point3 CylindricalFrame::FromLine(const Vector &point) const
    return Sum(r, -Dot(r, axis), axis);
 }
 
-void CylindricalFrame::GetAxes(const Vector &point, DenseMatrix &axes) const
+Tensor3<> CylindricalFrame::GetAxes(const MaterialPoint &point) const
 {
-   const Point3 r = FromLine(point);
+   // In memory of this call: it is made at each point of each evaluation.
+   real_t coordinates[3];
+   Vector x(coordinates, 3);
+   point.trans.Transform(point.ip, x);
+   const Point3 r = FromLine(x);
    const real_t distance = Length(r);
    MFEM_VERIFY(distance > 0.0, "a cylindrical frame has no r and theta on its "
                                "axis");
    const Point3 outward{{r[0] / distance, r[1] / distance, r[2] / distance}};
-   SetAxes(outward, Cross(axis, outward), axis, axes);
+   return AxesOf(outward, Cross(axis, outward), axis);
 }
 
 std::string CylindricalFrame::Validate(ElementTransformation &trans) const

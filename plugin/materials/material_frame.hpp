@@ -1,6 +1,8 @@
 #pragma once
 
 #include "synovia/general/point3.hpp"
+#include "synovia/materials/material_point.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 #include <string>
 
@@ -13,9 +15,8 @@ class MaterialFrame
 public:
    virtual ~MaterialFrame() = default;
 
-   /// Sets the 3 x 3 matrix with the axes as columns at a point of space.
-   virtual void GetAxes(const mfem::Vector &point,
-                        mfem::DenseMatrix &axes) const = 0;
+   /// The axes at a point, as columns.
+   virtual Tensor3<> GetAxes(const MaterialPoint &point) const = 0;
 
    /// Says what is wrong with the frame in an element; empty if nothing is.
    virtual std::string Validate(mfem::ElementTransformation &) const
@@ -24,6 +25,13 @@ public:
    }
 };
 
+/// Axes with these columns.
+Tensor3<> AxesOf(const Point3 &r, const Point3 &theta, const Point3 &z);
+
+/// Axes whose theta is the direction of a vector that isn't zero; r and z are
+/// any directions across it.
+Tensor3<> AxesAlong(const Point3 &theta);
+
 /// The same axes everywhere; theta is given, r and z are across it.
 class CartesianFrame : public MaterialFrame
 {
@@ -31,11 +39,10 @@ public:
    /// @a theta has any length; throws Error if that is zero.
    explicit CartesianFrame(const Point3 &theta);
 
-   void GetAxes(const mfem::Vector &point,
-                mfem::DenseMatrix &axes) const override;
+   Tensor3<> GetAxes(const MaterialPoint &) const override { return axes; }
 
 private:
-   mfem::DenseMatrix fixed_axes;
+   Tensor3<> axes;
 };
 
 /// Axes around a straight line: z along it, r away from it, theta around it.
@@ -46,8 +53,7 @@ public:
    /// Error if that is zero.
    CylindricalFrame(const Point3 &origin, const Point3 &axis);
 
-   void GetAxes(const mfem::Vector &point,
-                mfem::DenseMatrix &axes) const override;
+   Tensor3<> GetAxes(const MaterialPoint &point) const override;
    /// On the line r and theta mean nothing: it must not come near an element.
    std::string Validate(mfem::ElementTransformation &trans) const override;
 

@@ -3,6 +3,8 @@
 #include "synovia/materials/material_point.hpp"
 #include "synovia/materials/tensor3.hpp"
 
+#include <string>
+
 namespace synovia
 {
 
@@ -28,6 +30,12 @@ public:
    /// must be isotropic.
    virtual mfem::real_t GetPermeability(mfem::ElementTransformation &trans,
                                         const mfem::IntegrationPoint &ip) const;
+
+   /// Says what is wrong with the law in an element; empty if nothing is.
+   virtual std::string Validate(mfem::ElementTransformation &) const
+   {
+      return "";
+   }
 
    /// A typical value: it scales penalties and the gel time.
    virtual mfem::real_t ReferenceValue() const = 0;

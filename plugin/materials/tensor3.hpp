@@ -5,6 +5,8 @@
 #include "mfem/linalg/dual.hpp"
 #include "mfem/linalg/tensor.hpp"
 
+#include <cmath>
+
 namespace synovia
 {
 
@@ -124,6 +126,16 @@ T Trace(const Tensor3<T> &A)
 inline Tensor3<> IdentityTensor()
 {
    return {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+}
+
+inline bool IsFinite(const Tensor3<> &A)
+{
+   bool finite = true;
+   for (int k = 0; k < 9; k++)
+   {
+      finite = finite && std::isfinite(A[k / 3][k % 3]);
+   }
+   return finite;
 }
 
 /// A number without its derivatives.

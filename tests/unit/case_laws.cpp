@@ -84,6 +84,13 @@ real_t Inside(const NumberRange &range)
    return range.Has(number) ? number : 0.25;
 }
 
+/// Whether a law makes a body with a ground matrix only.
+bool NeedsGround(const LawDescription &law)
+{
+   return law.is_fiber || law.has_fibers || law.name == "donnan" ||
+          law.name == "ellipsoidal_fiber_distribution";
+}
+
 /// The table of a law, with a parameter left out, or with another value.
 std::string TableOf(const LawDescription &law, const std::string &changed = "",
                     const std::string &value = "")
@@ -95,6 +102,19 @@ std::string TableOf(const LawDescription &law, const std::string &changed = "",
                                  ? value
                                  : ShortestNumber(Inside(parameter.range));
       text += own.empty() ? "" : ", " + parameter.name + " = " + own;
+   }
+   for (const LawVector &vector : law.vectors)
+   {
+      const std::string number = ShortestNumber(Inside(vector.range));
+      const std::string own =
+         vector.name == changed
+            ? value
+            : "[" + number + ", " + number + ", " + number + "]";
+      text += own.empty() ? "" : ", " + vector.name + " = " + own;
+   }
+   if (law.has_fibers)
+   {
+      text += ", fibers = {model = \"fiber_pow\", ksi = 2, beta = 2.5}";
    }
    if (law.has_parts)
    {
@@ -109,10 +129,10 @@ std::string Deformed(const LawDescription &law, bool other = false)
    return (own == Deformation::finite) != other ? "finite" : "infinitesimal";
 }
 
-/// A law in a case: alone, or fibers in a ground matrix.
+/// A law in a case: alone, or in a ground matrix.
 std::string SolidTable(const LawDescription &law, const std::string &table)
 {
-   return law.name.rfind("fiber_", 0) == 0
+   return NeedsGround(law)
              ? "{model = \"mixture\", solids = [" + ground + ", " + table + "]}"
              : table;
 }
@@ -187,7 +207,7 @@ TEST_CASE("Parameters arrive where they belong", "[case]")
       Text("finite",
            "{model = \"mixture\", solids = [{model = \"holmes_mow\", E = 0.5, "
            "nu = 0.1, beta = 0.35}, {model = \"fiber_exp_pow\", alpha = 1, "
-           "beta = 2.5, ksi = 5}]}",
+           "beta = 2.5, ksi = 5, direction = [0, 2, 2]}]}",
            "{model = \"exponential\", value = 2e-3, M = 3}"),
       "case.toml");
    REQUIRE(setup.materials[0].solid.solids.size() == 2);
@@ -196,7 +216,8 @@ TEST_CASE("Parameters arrive where they belong", "[case]")
    const Material &material = problem.Get().Materials().Get(1);
    const CartesianFrame frame(Point3{{1.0, 0.0, 0.0}});
    const HolmesMow matrix(0.5, 0.1, 0.35);
-   const FiberExpPow fibers(1.0, 2.5, 5.0, 0.0, 1.0, frame);
+   const FiberExpPow fibers(1.0, 2.5, 5.0, 0.0, 1.0,
+                            FiberDirection(frame, {{0.0, 1.0, 1.0}}));
    const ExponentialPermeability permeability(2e-3, 3.0, 0.2);
    AnyPoint point;
    const Tensor3<> F = SomeDeformation();
@@ -212,11 +233,70 @@ TEST_CASE("Parameters arrive where they belong", "[case]")
    permeability.GetReferential(point.Get(), F, expected, nullptr);
    CHECK(AreClose(expected, found, 1e-14));
    // What has a standard value is written with it.
+   CHECK_THAT(
+      Written(setup),
+      Contains("solid = {model = \"mixture\", solids = [{model = "
+               "\"holmes_mow\", E = 0.5, nu = 0.1, beta = 0.35}, "
+               "{model = \"fiber_exp_pow\", alpha = 1.0, beta = 2.5, "
+               "ksi = 5.0, mu = 0.0, lam0 = 1.0, direction = [0.0, 2.0, "
+               "2.0]}]}\n"));
+}
+
+TEST_CASE("A distribution in a case has its fibers", "[case]")
+{
+   NamedMesh mesh = OneBox();
+   const std::string text = Text(
+      "finite",
+      "{model = \"mixture\", solids = [" + ground +
+         ", {model = \"continuous_fiber_distribution\", b = 2, spa = [1, 2, "
+         "3], "
+         "fibers = {model = \"fiber_pow\", ksi = 4, beta = 3}}, {model = "
+         "\"ellipsoidal_fiber_distribution\", beta = [2, 2.5, 3], ksi = [1, 2, "
+         "3]}]}",
+      constant);
+   const CaseFile setup = ParseCase(text, "case.toml");
+   CaseProblem problem(setup, mesh);
+   const CartesianFrame frame(Point3{{1.0, 0.0, 0.0}});
+   const NeoHookean matrix(0.5, 0.1);
+   const FiberPow fiber(4.0, 3.0, frame);
+   const ContinuousFiberDistribution spread(fiber, {2.0, {{1.0, 2.0, 3.0}}},
+                                            frame);
+   const EllipsoidalFiberDistribution ellipsoidal({{2.0, 2.5, 3.0}},
+                                                  {{1.0, 2.0, 3.0}}, frame);
+   const SolidMixture expected({&matrix, &spread, &ellipsoidal});
+   AnyPoint point;
+   Tensor3<> P;
+   Tensor3<> found;
+   expected.GetStress(point.Get(), SomeDeformation(), P, nullptr);
+   problem.Get().Materials().Get(1).solid->GetStress(
+      point.Get(), SomeDeformation(), found, nullptr);
+   CHECK(AreClose(P, found, 1e-14));
    CHECK_THAT(Written(setup),
-              Contains("solid = {model = \"mixture\", solids = [{model = "
-                       "\"holmes_mow\", E = 0.5, nu = 0.1, beta = 0.35}, "
-                       "{model = \"fiber_exp_pow\", alpha = 1.0, beta = 2.5, "
-                       "ksi = 5.0, mu = 0.0, lam0 = 1.0}]}\n"));
+              Contains("{model = \"continuous_fiber_distribution\", b = 2.0, "
+                       "spa = [1.0, 2.0, 3.0], fibers = {model = "
+                       "\"fiber_pow\", ksi = 4.0, beta = 3.0}}"));
+   const auto said = [&](const std::string &before, const std::string &after)
+   {
+      std::string changed = text;
+      changed.replace(changed.find(before), before.size(), after);
+      return CaseError(changed);
+   };
+   const std::string path = "material.0.solid.solids.1.fibers";
+   CHECK_THAT(said("fiber_pow", "neo_hookean"),
+              Contains(path + ".model: found the string \"neo_hookean\"; "
+                              "expected \"fiber_exp_pow\""));
+   CHECK_THAT(said("beta = 3}}", "beta = 3, direction = [1, 0, 0]}}"),
+              Contains(path + ".direction: there is no such key"));
+   CHECK_THAT(said(", fibers = {model = \"fiber_pow\", ksi = 4, beta = 3}", ""),
+              Contains(path + ".ksi: this is missing"));
+   CHECK_THAT(said("beta = 3}}", "beta = 1}}"),
+              Contains(path + ".beta: the exponent beta of the fibers is 1"));
+   CaseFile made = setup;
+   made.places.clear();
+   made.materials[0].solid.solids[1].fibers.parameters["c"] = 1.0;
+   CHECK_THROWS_WITH(CheckCase(made),
+                     Contains(path + ".c: \"fiber_pow\" has no such "
+                                     "parameter"));
 }
 
 TEST_CASE("Each parameter of each law must be there and in its range", "[case]")
@@ -250,13 +330,33 @@ TEST_CASE("Each parameter of each law must be there and in its range", "[case]")
          }
          parameters++;
       }
+      for (const LawVector &vector : law.vectors)
+      {
+         CAPTURE(law.name, vector.name);
+         const auto said = [&](const std::string &value)
+         { return CaseError(text(TableOf(law, vector.name, value))); };
+         const std::string key = ": " + path + "." + vector.name + ": ";
+         if (!vector.standard)
+         {
+            CHECK_THAT(said(""),
+                       Contains("this is missing (" + vector.noun + ")"));
+         }
+         CHECK_THAT(said("2"), Contains(key + "found the integer 2"));
+         if (!vector.range.Text().empty())
+         {
+            CHECK_THAT(said("[2, 2, -2]"),
+                       Contains(key + vector.noun +
+                                " is [2, 2, -2]; each number must be " +
+                                vector.range.Text()));
+         }
+         parameters++;
+      }
    };
    for (const auto &entry : SolidLaws().Entries())
    {
       const LawDescription &law = entry.description;
-      const std::string path = law.name.rfind("fiber_", 0) == 0
-                                  ? "material.0.solid.solids.1"
-                                  : "material.0.solid";
+      const std::string path =
+         NeedsGround(law) ? "material.0.solid.solids.1" : "material.0.solid";
       check(
          law,
          [&](const std::string &table)
@@ -334,7 +434,8 @@ TEST_CASE("Keys of other laws, and of none, are refused", "[case]")
    { return CaseError(Text("finite", solid, constant)); };
    CHECK_THAT(
       said("{model = \"neo_hookean\", E = 1, nu = 0, beta = 2}"),
-      Contains("material.0.solid.beta: this goes with \"fiber_exp_pow\", ") &&
+      Contains("material.0.solid.beta: this goes with "
+               "\"ellipsoidal_fiber_distribution\", \"fiber_exp_pow\", ") &&
          Contains("\"holmes_mow\"") && Contains(", not with \"neo_hookean\""));
    CHECK_THAT(said("{model = \"neo_hookean\", E = 1, mu_ = 0}"),
               Contains("material.0.solid.mu_: there is no such key; there are: "

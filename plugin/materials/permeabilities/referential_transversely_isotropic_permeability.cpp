@@ -33,9 +33,9 @@ Law::ReferentialTransverselyIsotropicPermeability(const LawArguments &from)
 Law::ReferentialTransverselyIsotropicPermeability(
    const AxialPermeabilities &constants_, const PoreGrowth &growth_,
    const PoreGrowth &transverse_, const PoreGrowth &axial_,
-   const MaterialFrame &frame_)
+   const FiberDirection &direction_)
    : constants(constants_), growth(growth_), transverse(transverse_),
-     axial(axial_), frame(frame_)
+     axial(axial_), direction(direction_)
 {
    Describe().Verify({constants.k0, constants.k1_transverse, constants.k1_axial,
                       constants.k2_transverse, constants.k2_axial, growth.m,

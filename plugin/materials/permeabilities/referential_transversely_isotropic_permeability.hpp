@@ -37,13 +37,12 @@ public:
 
    explicit ReferentialTransverselyIsotropicPermeability(
       const LawArguments &from);
-   /// Borrows @a frame. The growths have one solid fraction. Throws Error if
-   /// constants are out of range, or if nothing flows along the axis or across
-   /// it.
+   /// The growths have one solid fraction. Throws Error if constants are out of
+   /// range, or if nothing flows along the axis or across it.
    ReferentialTransverselyIsotropicPermeability(
       const AxialPermeabilities &constants, const PoreGrowth &growth,
       const PoreGrowth &transverse, const PoreGrowth &axial,
-      const MaterialFrame &frame);
+      const FiberDirection &direction);
 
    template <typename T>
    bool Referential(const MaterialPoint &point, const Tensor3<T> &F,
@@ -68,7 +67,7 @@ public:
       K = (constants.k0 * growth(J) / J) *
              TransposedProduct(cofactor, cofactor) +
           (2.0 * c_transverse) * C;
-      const Vector3<> axis = FiberDirection(point, frame);
+      const Vector3<> axis = direction(point);
       const Vector3<T> strained = Product(C, axis);
       for (int i = 0; i < 3; i++)
       {
@@ -78,6 +77,11 @@ public:
       AddOuterProduct(c_axial - c_transverse, axis, strained, K);
       AddOuterProduct(c_axial - c_transverse, strained, axis, K);
       return true;
+   }
+
+   std::string Validate(mfem::ElementTransformation &trans) const override
+   {
+      return direction.Validate(trans);
    }
 
    /// The mean over all directions.
@@ -91,7 +95,7 @@ private:
    PoreGrowth growth;
    PoreGrowth transverse;
    PoreGrowth axial;
-   const MaterialFrame &frame;
+   FiberDirection direction;
 };
 
 } // namespace synovia

@@ -18,9 +18,10 @@ public:
 
    explicit FiberExpPow(const LawArguments &from);
    /// @a xi and @a mu are stresses, @a taut is lambda_0. Throws Error if they
-   /// are out of range. Borrows @a frame.
+   /// are out of range.
    FiberExpPow(mfem::real_t alpha, mfem::real_t beta, mfem::real_t xi,
-               mfem::real_t mu, mfem::real_t taut, const MaterialFrame &frame);
+               mfem::real_t mu, mfem::real_t taut,
+               const FiberDirection &direction);
 
    template <typename T>
    bool Stress(const MaterialPoint &point, const Tensor3<T> &F,
@@ -31,10 +32,10 @@ public:
       {
          return true;
       }
-      const Vector3<> n = FiberDirection(point, frame);
+      const Vector3<> n = direction(point);
       const Vector3<T> stretched = Product(F, n);
       T square = InnerProduct(stretched, stretched);
-      if (IsTaut(square))
+      if (IsTaut(taut_square, square))
       {
          // C n - n
          Vector3<T> strain = Product(TransposedProduct(F, F), n);
@@ -48,7 +49,9 @@ public:
       return true;
    }
 
-   mfem::real_t Threshold() const { return taut_square; }
+   mfem::real_t Threshold() const override { return taut_square; }
+   /// Not with a resistance to shear.
+   bool DependsOnStretchOnly() const override { return mu == 0.0; }
    template <typename T>
    T EnergyDerivative(const T &square) const
    {

@@ -14,32 +14,31 @@ class FiberNaturalNh : public FiberSolid<FiberNaturalNh>
 public:
    static LawDescription Describe()
    {
-      return {"fiber_natural_nh",
-              "fibers linear in the logarithmic strain, slack in compression",
-              Deformation::finite,
-              {{"ksi",
-                "stress",
-                "the modulus ksi of the fibers",
-                NumberRange::Positive(),
-                {}},
-               {"lam0", "", "the stretch lam0 at which the fibers are taut",
-                NumberRange::AtLeast(1.0), 1.0}}};
+      return DescribeFibers(
+         "fiber_natural_nh",
+         "fibers linear in the logarithmic strain, slack in compression",
+         {{"ksi",
+           "stress",
+           "the modulus ksi of the fibers",
+           NumberRange::Positive(),
+           {}},
+          {"lam0", "", "the stretch lam0 at which the fibers are taut",
+           NumberRange::AtLeast(1.0), 1.0}});
    }
 
    explicit FiberNaturalNh(const LawArguments &from)
-      : FiberNaturalNh(from["ksi"], from["lam0"], from.frame)
+      : FiberNaturalNh(from["ksi"], from["lam0"], FiberDirection(from))
    {
    }
-   /// @a xi is a stress. Throws Error if they are out of range. Borrows
-   /// @a frame.
+   /// @a xi is a stress. Throws Error if they are out of range.
    FiberNaturalNh(mfem::real_t xi_, mfem::real_t taut_,
-                  const MaterialFrame &frame_)
-      : FiberSolid(frame_), xi(xi_), taut_square(taut_ * taut_)
+                  const FiberDirection &direction_)
+      : FiberSolid(direction_), xi(xi_), taut_square(taut_ * taut_)
    {
       Describe().Verify({xi, taut_});
    }
 
-   mfem::real_t Threshold() const { return taut_square; }
+   mfem::real_t Threshold() const override { return taut_square; }
    template <typename T>
    T EnergyDerivative(const T &square) const
    {

@@ -11,28 +11,28 @@ class FiberNh : public FiberSolid<FiberNh>
 public:
    static LawDescription Describe()
    {
-      return {"fiber_nh",
-              "fibers, neo-Hookean in tension, slack in compression",
-              Deformation::finite,
-              {{"mu",
-                "stress",
-                "the modulus mu of the fibers",
-                NumberRange::Positive(),
-                {}}}};
+      return DescribeFibers(
+         "fiber_nh", "fibers, neo-Hookean in tension, slack in compression",
+         {{"mu",
+           "stress",
+           "the modulus mu of the fibers",
+           NumberRange::Positive(),
+           {}}});
    }
 
-   explicit FiberNh(const LawArguments &from) : FiberNh(from["mu"], from.frame)
+   explicit FiberNh(const LawArguments &from)
+      : FiberNh(from["mu"], FiberDirection(from))
    {
    }
    /// @a mu (stress): Young's modulus along the fibers is 2 mu at small
-   /// strains. Throws Error if it is out of range. Borrows @a frame.
-   FiberNh(mfem::real_t mu_, const MaterialFrame &frame_)
-      : FiberSolid(frame_), mu(mu_)
+   /// strains. Throws Error if it is out of range.
+   FiberNh(mfem::real_t mu_, const FiberDirection &direction_)
+      : FiberSolid(direction_), mu(mu_)
    {
       Describe().Verify({mu});
    }
 
-   mfem::real_t Threshold() const { return 1.0; }
+   mfem::real_t Threshold() const override { return 1.0; }
    template <typename T>
    T EnergyDerivative(const T &square) const
    {

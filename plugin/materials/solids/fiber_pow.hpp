@@ -13,34 +13,34 @@ class FiberPow : public FiberSolid<FiberPow>
 public:
    static LawDescription Describe()
    {
-      return {"fiber_pow",
-              "fibers with a power law in tension, slack in compression",
-              Deformation::finite,
-              {{"ksi",
-                "stress",
-                "the modulus ksi of the fibers",
-                NumberRange::Positive(),
-                {}},
-               {"beta",
-                "",
-                "the exponent beta of the fibers",
-                NumberRange::AtLeast(2.0),
-                {}}}};
+      return DescribeFibers(
+         "fiber_pow",
+         "fibers with a power law in tension, slack in compression",
+         {{"ksi",
+           "stress",
+           "the modulus ksi of the fibers",
+           NumberRange::Positive(),
+           {}},
+          {"beta",
+           "",
+           "the exponent beta of the fibers",
+           NumberRange::AtLeast(2.0),
+           {}}});
    }
 
    explicit FiberPow(const LawArguments &from)
-      : FiberPow(from["ksi"], from["beta"], from.frame)
+      : FiberPow(from["ksi"], from["beta"], FiberDirection(from))
    {
    }
-   /// @a xi is a stress. Throws Error if they are out of range. Borrows
-   /// @a frame.
-   FiberPow(mfem::real_t xi_, mfem::real_t beta_, const MaterialFrame &frame_)
-      : FiberSolid(frame_), xi(xi_), beta(beta_)
+   /// @a xi is a stress. Throws Error if they are out of range.
+   FiberPow(mfem::real_t xi_, mfem::real_t beta_,
+            const FiberDirection &direction_)
+      : FiberSolid(direction_), xi(xi_), beta(beta_)
    {
       Describe().Verify({xi, beta});
    }
 
-   mfem::real_t Threshold() const { return 1.0; }
+   mfem::real_t Threshold() const override { return 1.0; }
    template <typename T>
    T EnergyDerivative(const T &square) const
    {

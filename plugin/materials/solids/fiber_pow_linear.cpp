@@ -7,35 +7,35 @@ using namespace mfem;
 
 LawDescription FiberPowLinear::Describe()
 {
-   return {"fiber_pow_linear",
-           "fibers with a power law that becomes linear, slack in compression",
-           Deformation::finite,
-           {{"E",
-             "stress",
-             "Young's modulus of the straight fibers",
-             NumberRange::Positive(),
-             {}},
-            {"lam0",
-             "",
-             "the stretch lam0 at which the fibers are straight",
-             NumberRange::Above(1.0),
-             {}},
-            {"beta",
-             "",
-             "the exponent beta of the fibers",
-             NumberRange::AtLeast(2.0),
-             {}}}};
+   return DescribeFibers(
+      "fiber_pow_linear",
+      "fibers with a power law that becomes linear, slack in compression",
+      {{"E",
+        "stress",
+        "Young's modulus of the straight fibers",
+        NumberRange::Positive(),
+        {}},
+       {"lam0",
+        "",
+        "the stretch lam0 at which the fibers are straight",
+        NumberRange::Above(1.0),
+        {}},
+       {"beta",
+        "",
+        "the exponent beta of the fibers",
+        NumberRange::AtLeast(2.0),
+        {}}});
 }
 
 FiberPowLinear::FiberPowLinear(const LawArguments &from)
-   : FiberPowLinear(from["E"], from["lam0"], from["beta"], from.frame)
+   : FiberPowLinear(from["E"], from["lam0"], from["beta"], FiberDirection(from))
 {
 }
 
 FiberPowLinear::FiberPowLinear(real_t young_, real_t straight, real_t beta_,
-                               const MaterialFrame &frame_)
-   : FiberSolid(frame_), young(young_), straight_square(straight * straight),
-     beta(beta_)
+                               const FiberDirection &direction_)
+   : FiberSolid(direction_), young(young_),
+     straight_square(straight * straight), beta(beta_)
 {
    Describe().Verify({young, straight, beta});
    const real_t excess = straight_square - 1.0;

@@ -19,11 +19,11 @@ public:
 
    explicit FiberPowLinear(const LawArguments &from);
    /// Young's modulus of the straight fibers (stress), @a straight = lambda_0
-   /// and @a beta. Throws Error if they are out of range. Borrows @a frame.
+   /// and @a beta. Throws Error if they are out of range.
    FiberPowLinear(mfem::real_t young, mfem::real_t straight, mfem::real_t beta,
-                  const MaterialFrame &frame);
+                  const FiberDirection &direction);
 
-   mfem::real_t Threshold() const { return 1.0; }
+   mfem::real_t Threshold() const override { return 1.0; }
    template <typename T>
    T EnergyDerivative(const T &square) const
    {

@@ -14,7 +14,7 @@ namespace
 constexpr int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
 
 // Strains in the axes from strains in space, both with engineering shear.
-void GetStrainMap(const DenseMatrix &axes, DenseMatrix &map)
+void GetStrainMap(const Tensor3<> &axes, DenseMatrix &map)
 {
    map.SetSize(6);
    for (int m = 0; m < 6; m++)
@@ -27,7 +27,7 @@ void GetStrainMap(const DenseMatrix &axes, DenseMatrix &map)
          const int i = voigt[n][0];
          const int j = voigt[n][1];
          map(m, n) =
-            0.5 * shear * (axes(i, a) * axes(j, b) + axes(j, a) * axes(i, b));
+            0.5 * shear * (axes[i][a] * axes[j][b] + axes[j][a] * axes[i][b]);
       }
    }
 }
@@ -98,12 +98,8 @@ void TransverselyIsotropic::GetStiffness(ElementTransformation &trans,
                                          const IntegrationPoint &ip,
                                          DenseMatrix &stiffness) const
 {
-   Vector point;
-   trans.Transform(ip, point);
-   DenseMatrix axes;
-   frame.GetAxes(point, axes);
    DenseMatrix map;
-   GetStrainMap(axes, map);
+   GetStrainMap(frame.GetAxes({trans, ip}), map);
    DenseMatrix half(6);
    Mult(local, map, half);
    stiffness.SetSize(6);
