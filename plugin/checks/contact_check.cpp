@@ -20,12 +20,12 @@ real_t LeastGap(const ContactPair &pair)
    real_t least = std::numeric_limits<real_t>::infinity();
    for (int j = 0; j < gap.Size(); j++)
    {
-      if (pair.Coverage().area[j] > 0.0)
+      if (pair.Constraint().Coverage().area[j] > 0.0)
       {
          least = std::min(least, gap[j]);
       }
    }
-   return -MaxOverRanks(-least, pair.Source().Spaces().GetComm());
+   return -MaxOverRanks(-least, pair.Geometry().Source().Spaces().GetComm());
 }
 } // namespace
 

@@ -32,8 +32,8 @@ struct ContactViolations
 /// augmentations take them into lambda and mu until gaps and jumps are within
 /// tolerance. Decides which vertices are in contact.
 ///
-/// These are the steps of one algorithm, in the order in which a stage takes
-/// them; then what a time step does with the result.
+/// Large because it has all steps of one algorithm, in the order in which a
+/// stage takes them, and then what a time step does with the result.
 class AugmentedLagrangian
 {
 public:

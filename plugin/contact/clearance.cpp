@@ -19,7 +19,7 @@ Clearance FindClearance(const ContactPair &pair, const Vector &motion)
 {
    // Surfaces that slide along each other hardly come nearer.
    constexpr real_t slides = 0.2;
-   const ContactCoverage &coverage = pair.Coverage();
+   const ContactCoverage &coverage = pair.Constraint().Coverage();
    Vector closing(coverage.area.Size());
    pair.Factors().gap_change->Mult(-1.0, motion, 0.0, closing);
    closing.HostRead();
@@ -39,7 +39,7 @@ Clearance FindClearance(const ContactPair &pair, const Vector &motion)
       clearance.ahead = std::min(clearance.ahead, gap / closing[j]);
       clearance.touches = clearance.touches || gap < coverage.GrazingGap(j);
    }
-   MPI_Comm comm = pair.Source().Spaces().GetComm();
+   MPI_Comm comm = pair.Geometry().Source().Spaces().GetComm();
    clearance.ahead = -MaxOverRanks(-clearance.ahead, comm);
    clearance.behind = -MaxOverRanks(-clearance.behind, comm);
    clearance.touches = AnyRank(clearance.touches, comm);

@@ -51,8 +51,9 @@ Point3 SumOfMoments(const Vector &force, const Vector &position,
 real_t FluidLoadSupport(const ContactPair &pair)
 {
    const ContactState &state = pair.State();
-   const std::array<Vector, 3> &normal_area = pair.Coverage().normal_area;
-   const std::array<Vector, 3> &present = pair.PresentNormalArea();
+   const std::array<Vector, 3> &normal_area =
+      pair.Constraint().Coverage().normal_area;
+   const std::array<Vector, 3> &present = pair.Constraint().PresentNormalArea();
    Point3 total{{0.0, 0.0, 0.0}};
    Point3 fluid{{0.0, 0.0, 0.0}};
    for (int j = 0; j < state.gap.Size(); j++)
@@ -66,7 +67,7 @@ real_t FluidLoadSupport(const ContactPair &pair)
          }
       }
    }
-   MPI_Comm comm = pair.Source().Spaces().GetComm();
+   MPI_Comm comm = pair.Geometry().Source().Spaces().GetComm();
    total = SumOverRanks(total, comm);
    fluid = SumOverRanks(fluid, comm);
    const real_t square = Dot(total, total);
@@ -74,13 +75,26 @@ real_t FluidLoadSupport(const ContactPair &pair)
 }
 } // namespace
 
+Vector PresentTraction(const ContactPair &pair)
+{
+   Vector traction(pair.State().traction);
+   const Vector &area = pair.Constraint().Coverage().area;
+   const Vector &present = pair.Constraint().PresentArea();
+   for (int j = 0; j < traction.Size(); j++)
+   {
+      traction[j] *= traction[j] != 0.0 ? area[j] / present[j] : 0.0;
+   }
+   return traction;
+}
+
 real_t ContactArea(const ContactPair &pair)
 {
    const ContactState &state = pair.State();
    const Vector &resistance = pair.Enforcement().Penalties().Resistance();
-   const std::vector<FaceCoverage> &coverage = pair.Coverage().face_coverage;
-   Vector stress =
-      VertexMeans(pair.Destination(), coverage, pair.PresentTraction());
+   const std::vector<FaceCoverage> &coverage =
+      pair.Constraint().Coverage().face_coverage;
+   Vector stress = VertexMeans(pair.Geometry().Destination(), coverage,
+                               PresentTraction(pair));
    for (int j = 0; j < stress.Size(); j++)
    {
       if (!state.vertices[j].touches)
@@ -89,17 +103,18 @@ real_t ContactArea(const ContactPair &pair)
             closing_part * resistance[j] * std::max<real_t>(state.gap[j], 0.0);
       }
    }
-   return NegativeArea(pair.Destination(), coverage, stress);
+   return NegativeArea(pair.Geometry().Destination(), coverage, stress);
 }
 
 bool HasTouched(const ContactPair &pair)
 {
-   return AnyRank(pair.State().touched, pair.Source().Spaces().GetComm());
+   return AnyRank(pair.State().touched,
+                  pair.Geometry().Source().Spaces().GetComm());
 }
 
 ContactDiagnostics Diagnose(const ContactPair &pair)
 {
-   const BiphasicSpaces &spaces = pair.Source().Spaces();
+   const BiphasicSpaces &spaces = pair.Geometry().Source().Spaces();
    MPI_Comm comm = spaces.GetComm();
    ContactDiagnostics result;
    Vector momentum(spaces.Offsets()[1]);
@@ -108,9 +123,10 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
    mass = 0.0;
    pair.AddForces(momentum, mass);
    momentum.HostRead();
-   const Array<int> &source_dofs = pair.Source().DisplacementTrueDofs();
+   const Array<int> &source_dofs =
+      pair.Geometry().Source().DisplacementTrueDofs();
    const Array<int> &destination_dofs =
-      pair.Destination().DisplacementTrueDofs();
+      pair.Geometry().Destination().DisplacementTrueDofs();
    result.source_force = SumOfDofs(momentum, source_dofs, comm);
    result.destination_force = SumOfDofs(momentum, destination_dofs, comm);
    result.source_moment = SumOfMoments(
@@ -123,7 +139,7 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
    result.penetration = violations.penetration;
    result.pressure_jump = violations.pressure_jump;
    const ContactState &state = pair.State();
-   const Vector traction = pair.PresentTraction();
+   const Vector traction = PresentTraction(pair);
    real_t exchange = 0.0;
    for (int j = 0; j < state.gap.Size(); j++)
    {
@@ -133,7 +149,7 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
          result.peak_pressure =
             std::max(result.peak_pressure, state.pressure[j]);
       }
-      exchange += pair.Coverage().area[j] * state.flux[j];
+      exchange += pair.Constraint().Coverage().area[j] * state.flux[j];
    }
    result.fluid_exchange = SumOverRanks(exchange, comm);
    result.peak_traction = MaxOverRanks(result.peak_traction, comm);

@@ -33,6 +33,10 @@ struct ContactDiagnostics
 /// Collective.
 ContactDiagnostics Diagnose(const ContactPair &pair);
 
+/// Contact traction at the destination's vertices, per present area (stress,
+/// negative in compression).
+mfem::Vector PresentTraction(const ContactPair &pair);
+
 /// Area of the destination in contact: where the mean traction around the
 /// vertices, less what it would take to close the mean gap there, is
 /// compressive, interpolated linearly. So the rim of the contact moves

@@ -70,7 +70,7 @@ bool ContactPair::Search(const Vector &u)
 
 bool ContactPair::Linearize(const Vector &p)
 {
-   const Vector &area = Coverage().area;
+   const Vector &area = constraint->Coverage().area;
    Vector nodal_force(area);
    Vector nodal_flow(area);
    nodal_force *= enforcement.LinearizationTraction();
@@ -78,22 +78,11 @@ bool ContactPair::Linearize(const Vector &p)
    return constraint->Linearize(p, nodal_force, nodal_flow);
 }
 
-Vector ContactPair::PresentTraction() const
-{
-   Vector traction(State().traction);
-   const Vector &area = Coverage().area;
-   const Vector &present = constraint->PresentArea();
-   for (int j = 0; j < traction.Size(); j++)
-   {
-      traction[j] *= traction[j] != 0.0 ? area[j] / present[j] : 0.0;
-   }
-   return traction;
-}
-
 void ContactPair::MarkSealed(Vector &sealed) const
 {
    const Vector sealing = State().Sealing();
-   const Array<int> &destination_dofs = Destination().Vertices().TrueDofs();
+   const Array<int> &destination_dofs =
+      geometry.Destination().Vertices().TrueDofs();
    for (int j = 0; j < sealing.Size(); j++)
    {
       if (sealing[j] > 0.5)
@@ -102,9 +91,9 @@ void ContactPair::MarkSealed(Vector &sealed) const
       }
    }
    const Vector &areas = geometry.SourceAreas();
-   const Array<int> &source_dofs = Source().Vertices().TrueDofs();
+   const Array<int> &source_dofs = geometry.Source().Vertices().TrueDofs();
    Vector covered(areas.Size());
-   Coverage().coverage->Mult(sealing, covered);
+   constraint->Coverage().coverage->Mult(sealing, covered);
    covered.HostRead();
    for (int k = 0; k < covered.Size(); k++)
    {
@@ -117,8 +106,8 @@ void ContactPair::MarkSealed(Vector &sealed) const
 
 void ContactPair::AddForces(Vector &momentum, Vector &mass) const
 {
-   Vector nodal_force(Coverage().area);
-   Vector nodal_flux(Coverage().area);
+   Vector nodal_force(constraint->Coverage().area);
+   Vector nodal_flux(constraint->Coverage().area);
    nodal_force *= State().traction;
    nodal_flux *= State().flux;
    const ContactFactors factors = constraint->Factors();

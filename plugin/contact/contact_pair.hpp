@@ -17,6 +17,8 @@ namespace synovia
 /// Frictionless and biphasic; see FrictionlessLaw. Vectors have an entry for
 /// each of this rank's vertices of the destination (SurfaceVertices): pairs are
 /// as large as their surfaces, whatever the mesh.
+///
+/// Large because it offers its parts as well as what they make together.
 class ContactPair
 {
 public:
@@ -35,9 +37,7 @@ public:
    const std::string &Name() const { return name; }
    const ContactScales &Scales() const { return scales; }
    const ContactGeometry &Geometry() const { return geometry; }
-   const ContactSurface &Source() const { return geometry.Source(); }
-   const ContactSurface &Destination() const { return geometry.Destination(); }
-   const ContactCoverage &Coverage() const { return constraint->Coverage(); }
+   const ContactConstraint &Constraint() const { return *constraint; }
    /// Multipliers, penalties, active set: its steps are the caller's to take.
    AugmentedLagrangian &Enforcement() { return enforcement; }
    const AugmentedLagrangian &Enforcement() const { return enforcement; }
@@ -55,15 +55,6 @@ public:
    /// Sets 1 in @a sealed (multiplier true dofs) for the vertices of either
    /// surface that this pair seals. Collective.
    void MarkSealed(mfem::Vector &sealed) const;
-
-   /// Contact traction per present area of the destination (stress, negative in
-   /// compression).
-   mfem::Vector PresentTraction() const;
-   /// As ContactConstraint has it (area).
-   const std::array<mfem::Vector, 3> &PresentNormalArea() const
-   {
-      return constraint->PresentNormalArea();
-   }
 
    /// Adds the nodal contact forces to @a momentum (force), and the fluid that
    /// contact moves out of the nodes to @a mass (volume / time). Collective.

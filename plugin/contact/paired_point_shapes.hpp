@@ -13,6 +13,8 @@ namespace synovia
 /// With s = dx_A - dx_B - gap dn at fixed reference coordinates of the hit,
 ///
 ///     dgap = along_gap . s,     dxi_i = along_hit[i] . s
+///
+/// Large because it names each of these values.
 class PairedPointShapes
 {
 public:

@@ -17,6 +17,8 @@ namespace synovia
 ///
 /// Weights and inverse Jacobians are computed once: ten numbers for each point
 /// are kept.
+///
+/// Large because it names each of the values that an integrand is made of.
 class BodyElement
 {
 public:

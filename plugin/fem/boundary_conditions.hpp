@@ -18,6 +18,8 @@ namespace synovia
 /// Coefficients are borrowed and evaluated at the time of the stage. Where two
 /// prescriptions meet on a dof, the later one holds. All members that add
 /// something are collective.
+///
+/// Large because each kind of condition has a member.
 class BoundaryConditions
 {
 public:

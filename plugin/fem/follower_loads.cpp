@@ -1,5 +1,5 @@
 #include "synovia/fem/follower_loads.hpp"
-#include "synovia/fem/deformed_face.hpp"
+#include "synovia/fem/loaded_face.hpp"
 
 #include <functional>
 
@@ -12,10 +12,9 @@ namespace
 {
 // Walks through the faces of a boundary.
 void ForEachFace(BiphasicSpaces &spaces, const Array<int> &marker,
-                 const Vector &u,
-                 const std::function<void(DeformedFace &)> &work)
+                 const Vector &u, const std::function<void(LoadedFace &)> &work)
 {
-   DeformedFace face(spaces);
+   LoadedFace face(spaces);
    const ParMesh &mesh = spaces.GetMesh();
    for (int i = 0; i < mesh.GetNBE(); i++)
    {
@@ -27,7 +26,7 @@ void ForEachFace(BiphasicSpaces &spaces, const Array<int> &marker,
    }
 }
 
-void AddForces(DeformedFace &face, real_t traction, Vector &forces)
+void AddForces(LoadedFace &face, real_t traction, Vector &forces)
 {
    const int nodes = face.Shape().Size();
    Vector local(3 * nodes);
@@ -47,7 +46,7 @@ void AddForces(DeformedFace &face, real_t traction, Vector &forces)
    forces.AddElementVector(face.DisplacementDofs(), local);
 }
 
-void AddInflow(DeformedFace &face, real_t flux, Vector &inflow)
+void AddInflow(LoadedFace &face, real_t flux, Vector &inflow)
 {
    Vector local(face.PressureDofs().Size());
    local = 0.0;
@@ -60,7 +59,7 @@ void AddInflow(DeformedFace &face, real_t flux, Vector &inflow)
    inflow.AddElementVector(face.PressureDofs(), local);
 }
 
-void SubtractForceChange(DeformedFace &face, real_t traction,
+void SubtractForceChange(LoadedFace &face, real_t traction,
                          LocalMatrix &stiffness)
 {
    const int nodes = face.Shape().Size();
@@ -89,7 +88,7 @@ void SubtractForceChange(DeformedFace &face, real_t traction,
    stiffness.Add(face.DisplacementDofs(), face.DisplacementDofs(), local);
 }
 
-void SubtractInflowChange(DeformedFace &face, real_t volume,
+void SubtractInflowChange(LoadedFace &face, real_t volume,
                           LocalMatrix &flow_change)
 {
    const int nodes = face.Shape().Size();
@@ -135,13 +134,13 @@ void FollowerLoads::AddLoads(real_t t, const Vector &u, Vector &forces,
    for (const Load &load : tractions)
    {
       ForEachFace(spaces, load.marker, u,
-                  [&](DeformedFace &face)
+                  [&](LoadedFace &face)
                   { AddForces(face, load.value(t), forces); });
    }
    for (const Load &load : fluxes)
    {
       ForEachFace(spaces, load.marker, u,
-                  [&](DeformedFace &face)
+                  [&](LoadedFace &face)
                   { AddInflow(face, load.value(t), inflow); });
    }
 }
@@ -153,14 +152,14 @@ void FollowerLoads::SubtractDerivatives(real_t t, real_t dt, const Vector &u,
    for (const Load &load : tractions)
    {
       ForEachFace(spaces, load.marker, u,
-                  [&](DeformedFace &face)
+                  [&](LoadedFace &face)
                   { SubtractForceChange(face, load.value(t), stiffness); });
    }
    for (const Load &load : fluxes)
    {
       ForEachFace(
          spaces, load.marker, u,
-         [&](DeformedFace &face)
+         [&](LoadedFace &face)
          { SubtractInflowChange(face, dt * load.value(t), flow_change); });
    }
 }

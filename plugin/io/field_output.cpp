@@ -1,4 +1,5 @@
 #include "synovia/io/field_output.hpp"
+#include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/fem/deformation_recovery.hpp"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ public:
    Surface(const std::string &directory, const ContactPair &pair_,
            ParMesh &mesh, BiphasicSpaces &spaces, bool append)
       : pair(pair_), surface(ParSubMesh::CreateFromBoundary(
-                        mesh, pair.Destination().Boundary())),
+                        mesh, pair.Geometry().Destination().Boundary())),
         elements(1, 2), space(&surface, &elements),
         parent(&spaces.Multiplier()), pressure(&space), gap(&space),
         status(&space),
@@ -130,7 +131,7 @@ public:
 
    void Save(int cycle, real_t time)
    {
-      Transfer(pair.PresentTraction(), pressure);
+      Transfer(PresentTraction(pair), pressure);
       pressure.Neg();
       Transfer(pair.State().gap, gap);
       Transfer(pair.State().Touching(), status);
@@ -141,7 +142,7 @@ private:
    void Transfer(const Vector &at_vertices, ParGridFunction &field)
    {
       parent.SetFromTrueDofs(
-         pair.Destination().Vertices().ToTrueDofs(at_vertices));
+         pair.Geometry().Destination().Vertices().ToTrueDofs(at_vertices));
       parent.HostRead();
       surface.Transfer(parent, field);
    }

@@ -83,7 +83,7 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    const Vector &displacement = stepper.State().GetBlock(0);
    AddSprings(row, problem, displacement);
    for (const RigidSurfaces::Travel &travel :
-        op.Rigid().GetTravel(displacement))
+        op.Equations().Rigid().GetTravel(displacement))
    {
       row.emplace_back("travel." + travel.name, travel.distance);
    }
@@ -92,13 +92,13 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
       AddContact(row, *pair);
    }
    const Vector &pressure = stepper.State().GetBlock(1);
-   row.emplace_back("fluid.growth", op.Fluid().growth);
-   row.emplace_back("fluid.outflow", op.Fluid().outflow);
-   row.emplace_back("fluid.volume_balance", op.Fluid().error);
+   row.emplace_back("fluid.growth", op.Balance().growth);
+   row.emplace_back("fluid.outflow", op.Balance().outflow);
+   row.emplace_back("fluid.volume_balance", op.Balance().error);
    row.emplace_back(
       "fluid.peak_pressure",
       MaxOverRanks(pressure.Size() > 0 ? pressure.Normlinf() : 0.0,
-                   op.Spaces().GetComm()));
+                   problem.Mesh().GetComm()));
    row.emplace_back("solver.newton", report.solve.newton);
    row.emplace_back("solver.augmentations", report.solve.augmentations);
    row.emplace_back("solver.linear", report.solve.linear);

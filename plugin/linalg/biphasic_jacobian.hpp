@@ -19,6 +19,8 @@ namespace synovia
 /// linear bodies; contact acts through its factors, so that a change of the
 /// active set costs nothing here. In finite deformation the matrices follow the
 /// state, and B in the second row has the change of the flow beside it.
+///
+/// Large because preconditioners ask for its parts, each in another way.
 class BiphasicJacobian : public mfem::Operator
 {
 public:

@@ -43,50 +43,30 @@ BiphasicOperator::BiphasicOperator(
    BoundaryConditions &conditions_, std::vector<ContactPair *> pairs_,
    const NonlinearOptions &options_)
    : TimeDependentOperator(0, 0.0, IMPLICIT), spaces(spaces_),
-     conditions(conditions_), pairs(std::move(pairs_)), contact(pairs.size()),
-     options(options_), bodies(MakeTimed(times.assembly, make_bodies)),
-     rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
+     conditions(conditions_), pairs(std::move(pairs_)), options(options_),
+     equations(spaces, conditions, pairs,
+               MakeTimed(times.assembly, make_bodies)),
      freedoms(body_list, spaces, conditions),
-     start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
-     support(spaces.Offsets()[1])
+     start(MakeFirstApproach(body_list, spaces, conditions, pairs))
 {
-   height = width = spaces.Offsets().Last() + bodies->ConservedSize();
+   height = width =
+      spaces.Offsets().Last() + equations.Bodies().ConservedSize();
    rate.SetSize(height);
    rate = 0.0;
-   support = 0.0;
+   balance.support.SetSize(spaces.Offsets()[1]);
+   balance.support = 0.0;
    work.assemblies++;
-   jacobian = std::make_unique<BiphasicJacobian>(
-      bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
-      contact, rigid.Any() ? &rigid : nullptr);
    {
       const PhaseTimer timer(times.setup);
       linear = std::make_unique<BiphasicLinearSolver>(
-         *jacobian, spaces, options.linear, options.tuning);
+         equations.Jacobian(), spaces, options.linear, options.tuning);
    }
-   if (rigid.Any())
+   if (equations.Rigid().Any())
    {
       Vector low;
       Vector high;
       spaces.GetMesh().GetBoundingBox(low, high);
       extent = high.DistanceTo(low);
-   }
-   const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
-   for (ContactPair *pair : pairs)
-   {
-      pair->Enforcement().SetHeldPressures(held);
-      contact_pressure_dofs.Append(pair->Source().PressureTrueDofs());
-      contact_pressure_dofs.Append(pair->Destination().PressureTrueDofs());
-   }
-   contact_pressure_dofs.Sort();
-   contact_pressure_dofs.Unique();
-   if (&spaces.Multiplier() != &spaces.Pressure())
-   {
-      vertex_interpolation = std::make_unique<ParDiscreteLinearOperator>(
-         &spaces.Multiplier(), &spaces.Pressure());
-      vertex_interpolation->AddDomainInterpolator(new IdentityInterpolator);
-      vertex_interpolation->Assemble();
-      vertex_interpolation->Finalize();
-      vertices_to_pressure.reset(vertex_interpolation->ParallelAssemble());
    }
    AcceptStep();
 }
@@ -118,7 +98,7 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    {
       stage.p0[i] = start[nu + i];
    }
-   stage.conserved0.SetSize(bodies->ConservedSize());
+   stage.conserved0.SetSize(equations.Bodies().ConservedSize());
    for (int i = 0; i < stage.conserved0.Size(); i++)
    {
       stage.conserved0[i] = start[nu + np + i];
@@ -138,14 +118,14 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
       slope[nu + i] = (stage.p[i] - stage.p0[i]) / dt;
    }
    Vector conserved;
-   bodies->GetConserved(stage.u, conserved);
+   equations.Bodies().GetConserved(stage.u, conserved);
    for (int i = 0; i < conserved.Size(); i++)
    {
       slope[nu + np + i] = (conserved[i] - stage.conserved0[i]) / dt;
    }
    rate = k;
    rate_dt = dt;
-   RecordBalance(stage);
+   balance = equations.Balance(stage);
 }
 
 WorkCounts BiphasicOperator::Work() const
@@ -160,9 +140,8 @@ void BiphasicOperator::AcceptStep()
    accepted.rate = rate;
    accepted.rate_dt = rate_dt;
    accepted.started = started;
-   accepted.support = support;
-   accepted.fluid = fluid;
-   accepted.drained = jacobian->PressureDofs();
+   accepted.balance = balance;
+   accepted.drained = equations.DrainedDofs();
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().Accept();
@@ -183,9 +162,8 @@ void BiphasicOperator::RejectStep()
    rate = accepted.rate;
    rate_dt = accepted.rate_dt;
    started = accepted.started;
-   support = accepted.support;
-   fluid = accepted.fluid;
-   jacobian->SetPressureDofs(accepted.drained);
+   balance = accepted.balance;
+   equations.SetDrainedDofs(accepted.drained);
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().Restore();
@@ -201,7 +179,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
    archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
    archive.Number("rate.length", accepted.rate_dt);
    archive.Flag("started", accepted.started);
-   if (rigid.Any())
+   if (equations.Rigid().Any())
    {
       archive.Field("start.displacement", spaces.Displacement(),
                     start.displacement);
@@ -215,7 +193,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
       rate = accepted.rate;
       rate_dt = accepted.rate_dt;
       started = accepted.started;
-      if (rigid.Any())
+      if (equations.Rigid().Any())
       {
          for (ContactPair *pair : pairs)
          {
@@ -241,14 +219,8 @@ bool BiphasicOperator::FailSolve(const std::string &reason)
 void BiphasicOperator::Search(const Stage &stage)
 {
    const PhaseTimer timer(times.search);
-   bool moved = false;
-   for (ContactPair *pair : pairs)
+   if (equations.SearchContact(stage))
    {
-      moved = pair->Search(stage.u) || moved;
-   }
-   if (moved)
-   {
-      UpdateFactors();
       linear->ContactMoved();
       report.searches++;
       work.searches++;
@@ -258,14 +230,8 @@ void BiphasicOperator::Search(const Stage &stage)
 void BiphasicOperator::LinearizeContact(const Stage &stage)
 {
    const PhaseTimer timer(times.assembly);
-   bool changed = false;
-   for (ContactPair *pair : pairs)
+   if (equations.LinearizeContact(stage))
    {
-      changed = pair->Linearize(stage.p) || changed;
-   }
-   if (changed)
-   {
-      UpdateFactors();
       linear->TangentChanged();
    }
 }
@@ -280,20 +246,11 @@ bool BiphasicOperator::SearchDrifted(Stage &stage)
    if (drifted)
    {
       Search(stage);
-      EvaluateContact(stage);
+      equations.EvaluateContact(stage);
       UpdateContact(stage);
-      UpdateDrainedDofs(stage);
+      equations.UpdateDrainedDofs(stage);
    }
    return drifted;
-}
-
-void BiphasicOperator::UpdateFactors()
-{
-   for (std::size_t i = 0; i < pairs.size(); i++)
-   {
-      contact[i] = pairs[i]->Factors();
-   }
-   jacobian->ContactChanged();
 }
 
 bool BiphasicOperator::UpdateContact(Stage &stage)
@@ -311,7 +268,7 @@ bool BiphasicOperator::UpdateContact(Stage &stage)
    changed = CatchPushed(stage) || changed;
    if (changed)
    {
-      UpdateDrainedDofs(stage);
+      equations.UpdateDrainedDofs(stage);
    }
    return changed;
 }
@@ -341,48 +298,6 @@ bool BiphasicOperator::CatchPushed(Stage &stage)
    return caught;
 }
 
-void BiphasicOperator::UpdateDrainedDofs(Stage &stage)
-{
-   Array<int> drained(conditions.PressureDofs());
-   if (!pairs.empty())
-   {
-      Vector sealed(spaces.Multiplier().GetTrueVSize());
-      sealed = 0.0;
-      for (const ContactPair *pair : pairs)
-      {
-         pair->MarkSealed(sealed);
-      }
-      Vector sealed_pressure(stage.p.Size());
-      if (vertices_to_pressure)
-      {
-         vertices_to_pressure->Mult(sealed, sealed_pressure);
-      }
-      else
-      {
-         sealed_pressure = sealed;
-      }
-      sealed_pressure.HostRead();
-      for (const int dof : contact_pressure_dofs)
-      {
-         // A dof between vertices is sealed where all of them are.
-         if (sealed_pressure[dof] < 1.0 - 1e-8 &&
-             conditions.PressureDofs().FindSorted(dof) < 0)
-         {
-            drained.Append(dof);
-            stage.p[dof] = 0.0;
-         }
-      }
-      drained.Sort();
-   }
-   jacobian->SetPressureDofs(drained);
-   for (ContactPair *pair : pairs)
-   {
-      // Drained pressures changed what there is to jump.
-      pair->Enforcement().Evaluate(stage.u, stage.p);
-      pair->Enforcement().UpdateTractions();
-   }
-}
-
 bool BiphasicOperator::SolveStage(Stage &stage)
 {
    const int nu = stage.u0.Size();
@@ -401,13 +316,9 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    conditions.SetPressure(stage.time, stage.p);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
    const Vector pressure_rate(rate, nu, stage.p.Size());
-   bodies->StartStage(stage, pressure_rate, rate_dt);
+   equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
    ChooseStart(stage);
-   jacobian->SetTimeStep(stage.dt);
-   for (ContactPair *pair : pairs)
-   {
-      pair->Enforcement().SetTimeStep(stage.dt);
-   }
+   equations.SetTimeStep(stage.dt);
 
    Search(stage);
    for (ContactPair *pair : pairs)
@@ -420,7 +331,7 @@ bool BiphasicOperator::SolveStage(Stage &stage)
    }
    started = true;
    CatchPushed(stage);
-   UpdateDrainedDofs(stage);
+   equations.UpdateDrainedDofs(stage);
    ResidualTolerance tolerance = Tolerance(stage);
    for (int augmentation = 0;; augmentation++)
    {
@@ -506,7 +417,7 @@ bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
       {
          return false;
       }
-      if (!bodies->IsLinear() && !FindViolations(stage).within_tolerance)
+      if (!equations.Bodies().IsLinear() && !FindViolations(stage).within_tolerance)
       {
          return true;
       }
@@ -531,13 +442,13 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
    {
       if (!evaluated)
       {
-         ComputeResidual(stage, residual);
+         equations.ComputeResidual(stage, residual);
       }
       real_t norm = linear->Norm(residual, tolerance);
       if (norm <= 1.0 && stage.from_start)
       {
          stage.from_start = false;
-         ComputeResidual(stage, residual);
+         equations.ComputeResidual(stage, residual);
          norm = linear->Norm(residual, tolerance);
       }
       if (norm <= 1.0 && Tighten(stage, tolerance))
@@ -578,7 +489,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       {
          return Fail(result.failure);
       }
-      rigid.Distribute(step.GetBlock(0));
+      equations.Rigid().Distribute(step.GetBlock(0));
       if (Escapes(step.GetBlock(0)))
       {
          return false;
@@ -592,7 +503,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
       {
          return false;
       }
-      evaluated = !UpdateContact(stage) && !bodies->IsLinear();
+      evaluated = !UpdateContact(stage) && !equations.Bodies().IsLinear();
    }
    return Fail(unsettled.empty()
                   ? "Newton's method did not converge in " +
@@ -605,7 +516,7 @@ bool BiphasicOperator::SolveContact(Stage &stage, ResidualTolerance &tolerance)
 void BiphasicOperator::ChooseStart(Stage &stage)
 {
    const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
-   stage.from_start = no_guess || !bodies->Validate(stage).empty();
+   stage.from_start = no_guess || !equations.Bodies().Validate(stage).empty();
    if (stage.from_start)
    {
       BodyStage start(stage);
@@ -618,17 +529,16 @@ void BiphasicOperator::ChooseStart(Stage &stage)
 void BiphasicOperator::Linearize(const BodyStage &stage)
 {
    const PhaseTimer timer(times.assembly);
-   if (bodies->Linearize(stage))
+   if (equations.LinearizeBodies(stage))
    {
       work.assemblies++;
-      jacobian->BodiesChanged();
       linear->TangentChanged();
    }
 }
 
 real_t BiphasicOperator::LinearTarget(real_t norm, ForcingTerm &forcing) const
 {
-   if (bodies->IsLinear())
+   if (equations.Bodies().IsLinear())
    {
       // What decides the active set need not be exact; a settled set is solved
       // to the end.
@@ -639,14 +549,6 @@ real_t BiphasicOperator::LinearTarget(real_t norm, ForcingTerm &forcing) const
    const real_t end = options.tuning.newton.final_accuracy;
    const bool inexact = options.active_set_tolerance > 0.0;
    return inexact ? std::max(end, forcing.Next(norm) * norm) : end;
-}
-
-void BiphasicOperator::EvaluateContact(const Stage &stage)
-{
-   for (ContactPair *pair : pairs)
-   {
-      pair->Enforcement().Evaluate(stage.u, stage.p);
-   }
 }
 
 bool BiphasicOperator::TakeStep(const BlockVector &step, real_t norm,
@@ -660,9 +562,9 @@ bool BiphasicOperator::TakeStep(const BlockVector &step, real_t norm,
    stage.from_start = false;
    stage.u += step.GetBlock(0);
    stage.p += step.GetBlock(1);
-   if (bodies->IsLinear())
+   if (equations.Bodies().IsLinear())
    {
-      EvaluateContact(stage);
+      equations.EvaluateContact(stage);
       return true;
    }
    const real_t limit = whole ? std::numeric_limits<real_t>::infinity() : norm;
@@ -684,17 +586,13 @@ std::string BiphasicOperator::FindObstacle(const Stage &stage, real_t norm,
    // Newton's method may have to climb a little before it falls; what is next
    // to the tolerance is round-off.
    const NewtonTuning &tuning = options.tuning.newton;
-   const std::string impossible = bodies->Validate(stage);
+   const std::string impossible = equations.Bodies().Validate(stage);
    if (!impossible.empty())
    {
       return impossible;
    }
-   EvaluateContact(stage);
-   for (ContactPair *pair : pairs)
-   {
-      pair->Enforcement().UpdateTractions();
-   }
-   ComputeResidual(stage, residual);
+   equations.EvaluateContact(stage);
+   equations.ComputeResidual(stage, residual);
    const real_t now = linear->Norm(residual, tolerance);
    if (now <= std::max(tuning.residual_floor, tuning.residual_growth * norm))
    {
@@ -744,7 +642,7 @@ bool BiphasicOperator::Escapes(const Vector &step)
    // Where little touches yet, a first guess may go far; without resistance
    // only round-off is left to resist.
    constexpr real_t away = 1e6;
-   for (const RigidSurfaces::Travel &travel : rigid.GetTravel(step))
+   for (const RigidSurfaces::Travel &travel : equations.Rigid().GetTravel(step))
    {
       if (!(std::abs(travel.distance) <= away * extent))
       {

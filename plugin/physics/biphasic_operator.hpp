@@ -1,12 +1,10 @@
 #pragma once
 
-#include "synovia/contact/contact_pair.hpp"
-#include "synovia/fem/body_form.hpp"
-#include "synovia/fem/boundary_conditions.hpp"
 #include "synovia/linalg/biphasic_linear_solver.hpp"
 #include "synovia/physics/first_approach.hpp"
 #include "synovia/physics/forcing_term.hpp"
 #include "synovia/physics/rigid_freedoms.hpp"
+#include "synovia/physics/stage_equations.hpp"
 
 #include <functional>
 #include <memory>
@@ -70,6 +68,9 @@ struct PhaseTimes
 /// One step is: BeginStep(), ODESolver::Step(), and then either AcceptStep()
 /// or, if Report().converged is false, RejectStep() together with the old
 /// state.
+///
+/// Large because steppers, histories and checkpoints each ask for other results
+/// of a step.
 class BiphasicOperator : public mfem::TimeDependentOperator
 {
 public:
@@ -107,38 +108,14 @@ public:
    /// What was done since the start, rejected steps included.
    WorkCounts Work() const;
 
-   BiphasicSpaces &Spaces() { return spaces; }
-   BoundaryConditions &Conditions() { return conditions; }
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
-   const BodyForm &Bodies() const { return *bodies; }
-   const RigidSurfaces &Rigid() const { return rigid; }
+   const StageEquations &Equations() const { return equations; }
    const BiphasicLinearSolver &LinearSolver() const { return *linear; }
-
-   /// Forces that hold the last stage in balance: at prescribed dofs the force
-   /// that the support exerts on the body, elsewhere the remaining error.
-   const mfem::Vector &SupportForces() const { return support; }
-
-   /// Fluid of the last stage, volume / time.
-   struct FluidBalance
-   {
-      /// Growth of the bodies' volume.
-      mfem::real_t growth = 0.0;
-      /// Outflow through drained and prescribed boundaries.
-      mfem::real_t outflow = 0.0;
-      /// What is missing: growth + outflow - sources.
-      mfem::real_t error = 0.0;
-   };
-   const FluidBalance &Fluid() const { return fluid; }
+   /// Of the last stage.
+   const StageBalance &Balance() const { return balance; }
 
 private:
-   /// One implicit stage with its loads.
-   struct Stage : BodyStage
-   {
-      mfem::Vector momentum_load;
-      mfem::Vector mass_load;
-      /// Whether the residual is that of BodyForm::MultFromStart().
-      bool from_start = false;
-   };
+   using Stage = ImplicitStage;
 
    /// Gaps and pressure jumps of all pairs.
    struct Violations
@@ -168,7 +145,6 @@ private:
    bool TakeStep(const mfem::BlockVector &step, mfem::real_t norm,
                  const ResidualTolerance &tolerance, Stage &stage,
                  mfem::BlockVector &residual);
-   void EvaluateContact(const Stage &stage);
    /// Why the state can't follow one whose residual had this norm; empty if it
    /// can. Else @a residual is that of the state.
    std::string FindObstacle(const Stage &stage, mfem::real_t norm,
@@ -184,17 +160,11 @@ private:
    /// Lets pairs search anew whose points have gone to other partners, and
    /// evaluates them; says whether any did.
    bool SearchDrifted(Stage &stage);
-   /// Takes the pairs' factors into the Jacobian.
-   void UpdateFactors();
    bool UpdateContact(Stage &stage);
    Violations FindViolations(const Stage &stage) const;
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.
    bool CatchPushed(Stage &stage);
-   void UpdateDrainedDofs(Stage &stage);
-   void ComputeImbalance(const Stage &stage, mfem::Vector &momentum,
-                         mfem::Vector &mass) const;
-   void ComputeResidual(const Stage &stage, mfem::BlockVector &residual) const;
    ResidualTolerance Tolerance(const Stage &stage) const;
    /// Lowers the tolerance of the mass to a part of the fluid that the step, as
    /// solved, exchanges; false if that hardly changes it.
@@ -204,27 +174,18 @@ private:
    bool FailSolve(const std::string &reason);
    /// Whether a surface that a force moves would leave; fails if so.
    bool Escapes(const mfem::Vector &step);
-   void RecordBalance(const Stage &stage);
 
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    std::vector<ContactPair *> pairs;
-   /// What the pairs add to the Jacobian, in their order.
-   ContactTerms contact;
    NonlinearOptions options;
    PhaseTimes times;
-   std::unique_ptr<BodyForm> bodies;
-   RigidSurfaces rigid;
+   StageEquations equations;
    RigidFreedoms freedoms;
    FirstApproach start;
    /// Size of the mesh (length), where surfaces are driven.
    mfem::real_t extent = 0.0;
-   std::unique_ptr<BiphasicJacobian> jacobian;
    std::unique_ptr<BiphasicLinearSolver> linear;
-   /// From vertices to pressure dofs, where these are not the vertices.
-   std::unique_ptr<mfem::ParDiscreteLinearOperator> vertex_interpolation;
-   std::unique_ptr<mfem::HypreParMatrix> vertices_to_pressure;
-   mfem::Array<int> contact_pressure_dofs;
    SolveReport report;
    /// Without that of the linear solver.
    WorkCounts work;
@@ -235,15 +196,13 @@ private:
    mfem::Vector rate;
    mfem::real_t rate_dt = 0.0;
    bool started = false;
-   mfem::Vector support;
-   FluidBalance fluid;
+   StageBalance balance;
    struct
    {
       mfem::Vector rate;
       mfem::real_t rate_dt = 0.0;
       bool started = false;
-      mfem::Vector support;
-      FluidBalance fluid;
+      StageBalance balance;
       mfem::Array<int> drained;
    } accepted;
 };

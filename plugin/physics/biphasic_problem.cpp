@@ -213,7 +213,7 @@ BiphasicOperator &BiphasicProblem::Operator()
 
 Point3 BiphasicProblem::Reaction(const Support &support)
 {
-   const real_t *forces = Operator().SupportForces().HostRead();
+   const real_t *forces = Operator().Balance().support.HostRead();
    const Array<int> marker =
       BoundaryMarker(mesh.Get(), mesh.Boundary(support.boundary));
    Point3 reaction{{0.0, 0.0, 0.0}};

@@ -27,6 +27,8 @@ struct SpaceOptions
 /// Operator() or hand the problem to a TimeStepper; from then on nothing can be
 /// set any more. Members that take a name throw Error if there is no such name.
 /// All members are collective.
+///
+/// Large because each kind of condition has a member.
 class BiphasicProblem
 {
 public:

@@ -139,7 +139,8 @@ std::set<int> Approach::MetBy(const PushedBodies &group,
                               const ContactPair &pair) const
 {
    std::set<int> met;
-   for (const ContactSurface *side : {&pair.Source(), &pair.Destination()})
+   for (const ContactSurface *side :
+        {&pair.Geometry().Source(), &pair.Geometry().Destination()})
    {
       for (const int body : BodiesOf(*side))
       {
@@ -162,15 +163,16 @@ real_t Approach::DistanceFromAfar(const ContactPair &pair,
                          [&](int body)
                          { return group.bodies.count(body) > 0; });
    };
-   const bool source_moves = moves(pair.Source());
-   if (source_moves == moves(pair.Destination()))
+   const bool source_moves = moves(pair.Geometry().Source());
+   if (source_moves == moves(pair.Geometry().Destination()))
    {
       return infinite;
    }
-   return source_moves ? DistanceAlong(pair.Source(), pair.Destination(),
-                                       group.along, extent)
-                       : DistanceAlong(pair.Destination(), pair.Source(),
-                                       group.along, extent);
+   return source_moves
+             ? DistanceAlong(pair.Geometry().Source(),
+                             pair.Geometry().Destination(), group.along, extent)
+             : DistanceAlong(pair.Geometry().Destination(),
+                             pair.Geometry().Source(), group.along, extent);
 }
 
 Approach::Meeting Approach::FindNearest(const PushedBodies &group,

@@ -15,7 +15,7 @@ bool PushedBodies::AreHeldBy(const std::vector<ContactPair *> &pairs) const
    MPI_Comm comm = MPI_COMM_SELF;
    for (const ContactPair *pair : pairs)
    {
-      comm = pair->Source().Spaces().GetComm();
+      comm = pair->Geometry().Source().Spaces().GetComm();
       const std::vector<VertexContact> &vertices = pair->State().vertices;
       Vector closing(static_cast<int>(vertices.size()));
       pair->Factors().gap_change->Mult(-1.0, translation, 0.0, closing);

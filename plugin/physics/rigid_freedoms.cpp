@@ -189,7 +189,7 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
    const int size = static_cast<int>(supports.Height());
    DenseMatrix part(size);
    part = 0.0;
-   const Vector &area = pair.Coverage().area;
+   const Vector &area = pair.Constraint().Coverage().area;
    Vector force(area.Size());
    for (int j = 0; j < force.Size(); j++)
    {

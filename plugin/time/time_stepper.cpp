@@ -108,7 +108,7 @@ StepLimits Limits(const TimeOptions &options)
 TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
    : op(problem.Operator()), options(Checked(options_)), recorder(op),
      solver(MakeSolver(options.scheme)),
-     norm(op.Bodies().Tangent(), problem.Spaces().Offsets()),
+     norm(op.Equations().Bodies().Tangent(), problem.Spaces().Offsets()),
      control(Limits(options), op.Options().tuning.steps),
      same_time(std::max(same_part *
                            (options.adaptive ? options.min_step : options.step),
@@ -222,7 +222,7 @@ void TimeStepper::Solve(real_t t, real_t dt, BlockVector &x)
    recorder.Clear();
    // The scheme treats what the bodies conserve as it does u and p.
    Vector conserved;
-   op.Bodies().GetConserved(x.GetBlock(0), conserved);
+   op.Equations().Bodies().GetConserved(x.GetBlock(0), conserved);
    if (conserved.Size() == 0)
    {
       solver->Step(x, t, dt);

@@ -72,9 +72,10 @@ std::vector<Row> March(PressedBox &box, TimeStepper &stepper, real_t until)
          Gather(box, spaces.Displacement(), stepper.State().GetBlock(0));
       row.pressure =
          Gather(box, spaces.Pressure(), stepper.State().GetBlock(1));
-      row.traction = Gather(box, spaces.Multiplier(),
-                            box.Pair().Destination().Vertices().ToTrueDofs(
-                               box.Pair().State().traction));
+      row.traction =
+         Gather(box, spaces.Multiplier(),
+                box.Pair().Geometry().Destination().Vertices().ToTrueDofs(
+                   box.Pair().State().traction));
       rows.push_back(row);
    }
    return rows;

@@ -60,7 +60,7 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
       row.peak_pressure = p.Size() > 0 ? p.Normlinf() : 0.0;
       MPI_Allreduce(MPI_IN_PLACE, &row.peak_pressure, 1,
                     MPITypeMap<real_t>::mpi_type, MPI_MAX, comm);
-      row.outflow = box.Problem().Operator().Fluid().outflow;
+      row.outflow = box.Problem().Operator().Balance().outflow;
       row.newton = report.solve.newton;
       rows.push_back(row);
    }

@@ -9,14 +9,15 @@ TractionMoments MeasureTraction(BiphasicProblem &problem)
 {
    const ContactPair &pair = *problem.Operator().Pairs().front();
    const Vector &traction = pair.State().traction;
-   const Vector &area = pair.Coverage().area;
+   const Vector &area = pair.Constraint().Coverage().area;
    FunctionCoefficient squared([](const Vector &x)
                                { return x[0] * x[0] + x[1] * x[1]; });
    ParGridFunction field(&problem.Spaces().Multiplier());
    field.ProjectCoefficient(squared);
    Vector everywhere;
    field.GetTrueDofs(everywhere);
-   const Vector r2 = pair.Destination().Vertices().FromTrueDofs(everywhere);
+   const Vector r2 =
+      pair.Geometry().Destination().Vertices().FromTrueDofs(everywhere);
    real_t sums[2] = {0.0, 0.0};
    for (int j = 0; j < traction.Size(); j++)
    {

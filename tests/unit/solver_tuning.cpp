@@ -121,8 +121,8 @@ Run RunCase(const std::vector<std::string> &settings)
                     MPI_SUM, MPI_COMM_WORLD);
       return sum;
    };
-   run.sealed = count(pair.Destination());
-   run.sealed_source = count(pair.Source());
+   run.sealed = count(pair.Geometry().Destination());
+   run.sealed_source = count(pair.Geometry().Source());
    return run;
 }
 } // namespace

@@ -94,8 +94,8 @@ TEST_CASE("A ramped platen meets the exact stress within 0.1 %")
             compared++;
          }
       }
-      CHECK(std::abs(problem.Operator().Fluid().error) <=
-            1e-6 * std::abs(problem.Operator().Fluid().outflow) + 1e-14);
+      CHECK(std::abs(problem.Operator().Balance().error) <=
+            1e-6 * std::abs(problem.Operator().Balance().outflow) + 1e-14);
    }
    CHECK(compared == 4);
 }

@@ -198,7 +198,7 @@ TEST_CASE("What flows out of a column is what its volume loses")
       const StepReport report = stepper.Step();
       INFO(report.reason);
       REQUIRE(report.converged);
-      drained += report.dt * problem.Operator().Fluid().outflow;
+      drained += report.dt * problem.Operator().Balance().outflow;
    }
    CHECK(drained == Approx(0.3).epsilon(1e-9));
 }

@@ -75,7 +75,7 @@ Run Solve(Element::Type type, int order, real_t scale, const SolidLaw &solid,
    March(stepper);
    return {stepper.State().GetBlock(0), stepper.State().GetBlock(1),
            problem.Reaction(problem.Supports().front()),
-           problem.Operator().Fluid().outflow};
+           problem.Operator().Balance().outflow};
 }
 
 // The largest difference, as a part of the largest value.

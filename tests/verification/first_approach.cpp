@@ -107,6 +107,7 @@ Outcome Run(const Setup &setup, MPI_Comm comm = MPI_COMM_WORLD)
    }
    const ContactDiagnostics now = Diagnose(*problem.Operator().Pairs().front());
    outcome.travel = problem.Operator()
+                       .Equations()
                        .Rigid()
                        .GetTravel(stepper.State().GetBlock(0))
                        .front()
@@ -253,6 +254,7 @@ TEST_CASE("What the body meets goes with it, unless it is held")
    INFO(report.reason);
    REQUIRE(report.converged);
    CHECK(problem.Operator()
+            .Equations()
             .Rigid()
             .GetTravel(stepper.State().GetBlock(0))
             .front()

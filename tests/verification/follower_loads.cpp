@@ -262,7 +262,7 @@ TEST_CASE("Fluid that a flux presses into a deforming body makes it grow")
       const StepReport report = stepper.Step();
       INFO(report.reason);
       REQUIRE(report.converged);
-      const BiphasicOperator::FluidBalance &fluid = problem.Operator().Fluid();
+      const StageBalance &fluid = problem.Operator().Balance();
       grown += report.dt * fluid.growth;
       CHECK(std::abs(fluid.error) < 1e-7 * fluid.growth);
       outflow += report.dt * fluid.outflow;

@@ -200,7 +200,7 @@ TEST_CASE("A surface is destination in one pair and source in another")
    CHECK(on_right.peak_traction > 0.0);
 
    // Pressure on the plate's top: the contact seals, the rest drains.
-   const ContactSurface &top = pairs[0]->Destination();
+   const ContactSurface &top = pairs[0]->Geometry().Destination();
    FunctionCoefficient x_of([](const Vector &x) { return x[0]; });
    ParGridFunction position(&problem.Spaces().Pressure());
    position.ProjectCoefficient(x_of);

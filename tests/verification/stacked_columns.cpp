@@ -153,7 +153,7 @@ std::vector<real_t> TwoColumns(const Materials &materials, Element::Type type,
             1e-10 * std::abs(contact.source_force[2]));
       // No fluid leaves between the columns: what the lower one loses is what
       // the upper one gets.
-      const BiphasicOperator::FluidBalance fluid = problem.Operator().Fluid();
+      const StageBalance &fluid = problem.Operator().Balance();
       CHECK(std::abs(fluid.error) <= 1e-6 * std::abs(fluid.outflow));
       CHECK(contact.fluid_exchange < 0.0);
    }

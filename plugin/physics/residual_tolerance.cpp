@@ -10,44 +10,6 @@ namespace synovia
 
 using namespace mfem;
 
-void BiphasicOperator::ComputeImbalance(const Stage &stage, Vector &momentum,
-                                        Vector &mass) const
-{
-   Vector loads(stage.momentum_load);
-   Vector exchange(stage.p.Size());
-   exchange = 0.0;
-   for (const ContactPair *pair : pairs)
-   {
-      pair->AddForces(loads, exchange);
-   }
-   if (stage.from_start)
-   {
-      bodies->MultFromStart(stage, momentum, mass);
-   }
-   else
-   {
-      bodies->Mult(stage, momentum, mass);
-   }
-   momentum -= loads;
-   mass.Add(stage.dt, exchange);
-   mass.Add(-stage.dt, stage.mass_load);
-   // Sums over supports and drained surfaces are taken on the host.
-   momentum.HostReadWrite();
-   mass.HostReadWrite();
-}
-
-void BiphasicOperator::ComputeResidual(const Stage &stage,
-                                       BlockVector &residual) const
-{
-   ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
-   residual.GetBlock(0).Neg();
-   residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
-   rigid.Collect(residual.GetBlock(0));
-   rigid.AddForces(stage.time, residual.GetBlock(0));
-   residual.GetBlock(1).SetSubVector(jacobian->PressureDofs(), 0.0);
-   residual.SyncFromBlocks();
-}
-
 ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
 {
    // How much of one equation's change counts as change of the other, which may
@@ -69,7 +31,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    conditions.SetDisplacement(stage.time, still.u);
    conditions.SetPressure(stage.time, still.p);
    BlockVector residual(spaces.Offsets());
-   ComputeResidual(still, residual);
+   equations.ComputeResidual(still, residual);
    const real_t scale = linear->ForcePerVolume();
    const real_t own_force = norm(residual.GetBlock(0));
    const real_t own_volume = norm(residual.GetBlock(1));
@@ -90,7 +52,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
       pair->AddMagnitudes(u, p, momentum, mass);
    }
    mass *= stage.dt;
-   bodies->AddMagnitudes(stage.dt, u, p, momentum, mass);
+   equations.Bodies().AddMagnitudes(stage.dt, u, p, momentum, mass);
    const real_t relative = options.linear.relative_tolerance;
    const real_t most = relative * volume;
    ResidualTolerance tolerance;
@@ -110,12 +72,12 @@ bool BiphasicOperator::Tighten(const Stage &stage,
 {
    // Part of the fluid exchanged in the step that may get lost; Newton's method
    // of deforming bodies gains many digits at once.
-   const real_t lost = bodies->IsLinear() ? 1e-7 : 1e-9;
+   const real_t lost = equations.Bodies().IsLinear() ? 1e-7 : 1e-9;
    Vector momentum;
    Vector mass;
-   ComputeImbalance(stage, momentum, mass);
+   equations.ComputeImbalance(stage, momentum, mass);
    real_t squares = 0.0;
-   for (const int dof : jacobian->PressureDofs())
+   for (const int dof : equations.DrainedDofs())
    {
       squares += mass[dof] * mass[dof];
    }
@@ -127,25 +89,6 @@ bool BiphasicOperator::Tighten(const Stage &stage,
    }
    tolerance.mass = wanted;
    return true;
-}
-
-void BiphasicOperator::RecordBalance(const Stage &stage)
-{
-   Vector mass;
-   ComputeImbalance(stage, support, mass);
-   Vector growth;
-   bodies->GetGrowth(stage, growth);
-   real_t drained = 0.0;
-   for (const int dof : jacobian->PressureDofs())
-   {
-      drained += mass[dof];
-   }
-   MPI_Comm comm = spaces.GetComm();
-   const real_t sources =
-      SumOverRanks(stage.mass_load.Sum() + bodies->Inflow(stage), comm);
-   fluid.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
-   fluid.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
-   fluid.error = fluid.growth + fluid.outflow;
 }
 
 } // namespace synovia

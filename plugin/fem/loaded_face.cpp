@@ -1,4 +1,4 @@
-#include "synovia/fem/deformed_face.hpp"
+#include "synovia/fem/loaded_face.hpp"
 
 #include <algorithm>
 
@@ -7,9 +7,9 @@ namespace synovia
 
 using namespace mfem;
 
-DeformedFace::DeformedFace(BiphasicSpaces &spaces_) : spaces(spaces_) {}
+LoadedFace::LoadedFace(BiphasicSpaces &spaces_) : spaces(spaces_) {}
 
-void DeformedFace::Set(int boundary_element, const Vector &u)
+void LoadedFace::Set(int boundary_element, const Vector &u)
 {
    u_element = spaces.Displacement().GetBE(boundary_element);
    p_element = spaces.Pressure().GetBE(boundary_element);
@@ -25,7 +25,7 @@ void DeformedFace::Set(int boundary_element, const Vector &u)
    slopes.SetSize(u_element->GetDof(), 2);
 }
 
-void DeformedFace::SetPoint(int point)
+void LoadedFace::SetPoint(int point)
 {
    const IntegrationPoint &ip = rule->IntPoint(point);
    trans.SetIntPoint(&ip);
@@ -49,7 +49,7 @@ void DeformedFace::SetPoint(int point)
    area = Cross(tangents[0], tangents[1]);
 }
 
-Point3 DeformedFace::AreaChange(int node) const
+Point3 LoadedFace::AreaChange(int node) const
 {
    Point3 change;
    for (int a = 0; a < 3; a++)

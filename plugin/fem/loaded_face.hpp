@@ -8,11 +8,11 @@ namespace synovia
 
 /// Walks through the quadrature points of the deformed faces of a boundary,
 /// with the shape functions of displacement and pressure there.
-class DeformedFace
+class LoadedFace
 {
 public:
    /// Borrows @a spaces.
-   explicit DeformedFace(BiphasicSpaces &spaces);
+   explicit LoadedFace(BiphasicSpaces &spaces);
 
    /// Takes a boundary element of the mesh, displaced by @a u, local dofs.
    void Set(int boundary_element, const mfem::Vector &u);

@@ -1,0 +1,64 @@
+#include "synovia/physics/contact_drainage.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+ContactDrainage::ContactDrainage(BiphasicSpaces &spaces_,
+                                 const std::vector<ContactPair *> &pairs_)
+   : spaces(spaces_), pairs(pairs_)
+{
+   for (const ContactPair *pair : pairs)
+   {
+      dofs.Append(pair->Geometry().Source().PressureTrueDofs());
+      dofs.Append(pair->Geometry().Destination().PressureTrueDofs());
+   }
+   dofs.Sort();
+   dofs.Unique();
+   if (&spaces.Multiplier() != &spaces.Pressure())
+   {
+      vertex_interpolation = std::make_unique<ParDiscreteLinearOperator>(
+         &spaces.Multiplier(), &spaces.Pressure());
+      vertex_interpolation->AddDomainInterpolator(new IdentityInterpolator);
+      vertex_interpolation->Assemble();
+      vertex_interpolation->Finalize();
+      vertices_to_pressure.reset(vertex_interpolation->ParallelAssemble());
+   }
+}
+
+Array<int> ContactDrainage::OpenDofs() const
+{
+   Array<int> open;
+   if (pairs.empty())
+   {
+      return open;
+   }
+   Vector sealed(spaces.Multiplier().GetTrueVSize());
+   sealed = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->MarkSealed(sealed);
+   }
+   Vector sealed_pressure(spaces.Pressure().GetTrueVSize());
+   if (vertices_to_pressure)
+   {
+      vertices_to_pressure->Mult(sealed, sealed_pressure);
+   }
+   else
+   {
+      sealed_pressure = sealed;
+   }
+   sealed_pressure.HostRead();
+   for (const int dof : dofs)
+   {
+      // A dof between vertices is sealed where all of them are.
+      if (sealed_pressure[dof] < 1.0 - 1e-8)
+      {
+         open.Append(dof);
+      }
+   }
+   return open;
+}
+
+} // namespace synovia

@@ -1,0 +1,179 @@
+#include "synovia/physics/stage_equations.hpp"
+#include "synovia/general/reduce.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+StageEquations::StageEquations(BiphasicSpaces &spaces,
+                               const BoundaryConditions &conditions_,
+                               const std::vector<ContactPair *> &pairs_,
+                               std::unique_ptr<BodyForm> bodies_)
+   : comm(spaces.GetComm()), conditions(conditions_), pairs(pairs_),
+     bodies(std::move(bodies_)),
+     rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
+     drainage(spaces, pairs), contact(pairs.size()),
+     jacobian(std::make_unique<BiphasicJacobian>(
+        bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
+        contact, rigid.Any() ? &rigid : nullptr))
+{
+   const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().SetHeldPressures(held);
+   }
+}
+
+void StageEquations::SetTimeStep(real_t dt)
+{
+   jacobian->SetTimeStep(dt);
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().SetTimeStep(dt);
+   }
+}
+
+bool StageEquations::SearchContact(const BodyStage &stage)
+{
+   bool moved = false;
+   for (ContactPair *pair : pairs)
+   {
+      moved = pair->Search(stage.u) || moved;
+   }
+   if (moved)
+   {
+      UpdateFactors();
+   }
+   return moved;
+}
+
+void StageEquations::EvaluateContact(const BodyStage &stage)
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().Evaluate(stage.u, stage.p);
+      pair->Enforcement().UpdateTractions();
+   }
+}
+
+void StageEquations::UpdateDrainedDofs(BodyStage &stage)
+{
+   const Array<int> &prescribed = conditions.PressureDofs();
+   Array<int> drained(prescribed);
+   for (const int dof : drainage.OpenDofs())
+   {
+      if (prescribed.FindSorted(dof) < 0)
+      {
+         drained.Append(dof);
+         stage.p[dof] = 0.0;
+      }
+   }
+   drained.Sort();
+   jacobian->SetPressureDofs(drained);
+   // Drained pressures changed what there is to jump.
+   EvaluateContact(stage);
+}
+
+void StageEquations::SetDrainedDofs(const Array<int> &dofs)
+{
+   jacobian->SetPressureDofs(dofs);
+}
+
+const Array<int> &StageEquations::DrainedDofs() const
+{
+   return jacobian->PressureDofs();
+}
+
+void StageEquations::ComputeImbalance(const ImplicitStage &stage,
+                                      Vector &momentum, Vector &mass) const
+{
+   Vector loads(stage.momentum_load);
+   Vector exchange(stage.p.Size());
+   exchange = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddForces(loads, exchange);
+   }
+   if (stage.from_start)
+   {
+      bodies->MultFromStart(stage, momentum, mass);
+   }
+   else
+   {
+      bodies->Mult(stage, momentum, mass);
+   }
+   momentum -= loads;
+   mass.Add(stage.dt, exchange);
+   mass.Add(-stage.dt, stage.mass_load);
+   // Sums over supports and drained surfaces are taken on the host.
+   momentum.HostReadWrite();
+   mass.HostReadWrite();
+}
+
+void StageEquations::ComputeResidual(const ImplicitStage &stage,
+                                     BlockVector &residual) const
+{
+   ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
+   residual.GetBlock(0).Neg();
+   residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
+   rigid.Collect(residual.GetBlock(0));
+   rigid.AddForces(stage.time, residual.GetBlock(0));
+   residual.GetBlock(1).SetSubVector(DrainedDofs(), 0.0);
+   residual.SyncFromBlocks();
+}
+
+StageBalance StageEquations::Balance(const ImplicitStage &stage) const
+{
+   StageBalance balance;
+   Vector mass;
+   ComputeImbalance(stage, balance.support, mass);
+   Vector growth;
+   bodies->GetGrowth(stage, growth);
+   real_t drained = 0.0;
+   for (const int dof : DrainedDofs())
+   {
+      drained += mass[dof];
+   }
+   const real_t sources =
+      SumOverRanks(stage.mass_load.Sum() + bodies->Inflow(stage), comm);
+   balance.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
+   balance.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
+   balance.error = balance.growth + balance.outflow;
+   return balance;
+}
+
+bool StageEquations::LinearizeBodies(const BodyStage &stage)
+{
+   const bool changed = bodies->Linearize(stage);
+   if (changed)
+   {
+      jacobian->BodiesChanged();
+   }
+   return changed;
+}
+
+bool StageEquations::LinearizeContact(const BodyStage &stage)
+{
+   bool changed = false;
+   for (ContactPair *pair : pairs)
+   {
+      changed = pair->Linearize(stage.p) || changed;
+   }
+   if (changed)
+   {
+      UpdateFactors();
+   }
+   return changed;
+}
+
+void StageEquations::UpdateFactors()
+{
+   for (std::size_t i = 0; i < pairs.size(); i++)
+   {
+      contact[i] = pairs[i]->Factors();
+   }
+   jacobian->ContactChanged();
+}
+
+} // namespace synovia

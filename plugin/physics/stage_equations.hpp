@@ -1,0 +1,104 @@
+#pragma once
+
+#include "synovia/fem/body_form.hpp"
+#include "synovia/fem/boundary_conditions.hpp"
+#include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/physics/contact_drainage.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace synovia
+{
+
+/// One implicit stage with the loads that do not follow the deformation, as
+/// BoundaryConditions::GetLoads() has them.
+struct ImplicitStage : BodyStage
+{
+   mfem::Vector momentum_load;
+   mfem::Vector mass_load;
+   /// Whether the bodies' part is that of BodyForm::MultFromStart().
+   bool from_start = false;
+};
+
+/// How forces and fluid balance in a stage.
+struct StageBalance
+{
+   /// Forces that hold the bodies (true dofs): at prescribed dofs the force
+   /// that the support exerts on the body, elsewhere the remaining error.
+   mfem::Vector support;
+   /// Growth of the bodies' volume (volume / time).
+   mfem::real_t growth = 0.0;
+   /// Fluid that leaves through drained and prescribed boundaries (volume /
+   /// time).
+   mfem::real_t outflow = 0.0;
+   /// What is missing: growth + outflow - sources (volume / time).
+   mfem::real_t error = 0.0;
+};
+
+/// The equations of an implicit stage: balance of momentum and mass of all
+/// bodies with loads, supports and contact, with the contact's active sets as
+/// they are; their residual and its derivative.
+///
+/// The residual is r(u, p) = -(momentum), (mass) for true dofs of displacement
+/// and pressure, with zeros at prescribed and drained dofs, and Jacobian() is
+/// -dr/d(u, p). Where surfaces are driven, displacements and forces are those
+/// of RigidSurfaces. Momentum is in force, mass in volume of fluid in the
+/// stage. All members are collective.
+class StageEquations
+{
+public:
+   /// Borrows all but @a bodies; @a conditions must be complete.
+   StageEquations(BiphasicSpaces &spaces, const BoundaryConditions &conditions,
+                  const std::vector<ContactPair *> &pairs,
+                  std::unique_ptr<BodyForm> bodies);
+
+   BodyForm &Bodies() { return *bodies; }
+   const BodyForm &Bodies() const { return *bodies; }
+   const RigidSurfaces &Rigid() const { return rigid; }
+   /// At the last Linearize...() and Set...() of each of its parts.
+   const BiphasicJacobian &Jacobian() const { return *jacobian; }
+
+   void SetTimeStep(mfem::real_t dt);
+   /// Lets pairs search for a stage that ends near @a stage; says whether the
+   /// Jacobian's contact is another.
+   bool SearchContact(const BodyStage &stage);
+   /// Takes gaps, jumps, tractions and fluxes at the end of @a stage.
+   void EvaluateContact(const BodyStage &stage);
+   /// Drains what the active sets leave open, in @a stage and in the equations,
+   /// and evaluates the contact there.
+   void UpdateDrainedDofs(BodyStage &stage);
+   /// Prescribed and drained true dofs of the pressure, ascending.
+   void SetDrainedDofs(const mfem::Array<int> &dofs);
+   const mfem::Array<int> &DrainedDofs() const;
+
+   /// What is missing for balance at each true dof: what supports and drained
+   /// boundaries have to give, else an error. Of the contact as it was
+   /// evaluated last.
+   void ComputeImbalance(const ImplicitStage &stage, mfem::Vector &momentum,
+                         mfem::Vector &mass) const;
+   /// Of the contact as it was evaluated last.
+   void ComputeResidual(const ImplicitStage &stage,
+                        mfem::BlockVector &residual) const;
+   StageBalance Balance(const ImplicitStage &stage) const;
+
+   /// Brings the Jacobian to the state of @a stage; says whether it changed.
+   bool LinearizeBodies(const BodyStage &stage);
+   /// The same for the contact, which must have been evaluated there.
+   bool LinearizeContact(const BodyStage &stage);
+
+private:
+   void UpdateFactors();
+
+   MPI_Comm comm;
+   const BoundaryConditions &conditions;
+   const std::vector<ContactPair *> &pairs;
+   std::unique_ptr<BodyForm> bodies;
+   RigidSurfaces rigid;
+   ContactDrainage drainage;
+   /// What the pairs add to the Jacobian, in their order.
+   ContactTerms contact;
+   std::unique_ptr<BiphasicJacobian> jacobian;
+};
+
+} // namespace synovia

@@ -1,0 +1,275 @@
+// ranks: 1 2 3 4
+// timeout: 300
+//
+// The Jacobian of two bodies that are partly in contact, partly apart, partly
+// sealed and partly drained: as it is applied, as it is assembled, and as it is
+// solved.
+
+#include "support/touching_blocks.hpp"
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+constexpr real_t dt = 3.0;
+
+class Bodies : public TouchingBlocks
+{
+public:
+   explicit Bodies(int order) : TouchingBlocks(Options(order))
+   {
+      Vector u = Displacement(0.0);
+      pair->Search(u);
+      Touch(u, RandomEntries(spaces.Pressure().GetTrueVSize(), 3));
+      contact.push_back(pair->Factors());
+      matrices = std::make_unique<VolumeMatrices>(spaces, materials);
+   }
+
+   real_t Dot(const Vector &x, const Vector &y) const
+   {
+      return InnerProduct(mesh.GetComm(), x, y);
+   }
+
+   // Some true dofs at two surfaces, as if prescribed.
+   Array<int> Prescribed(ParFiniteElementSpace &space) const
+   {
+      Array<int> marker(mesh.Get().bdr_attributes.Max());
+      marker = 0;
+      marker[mesh.Boundary("lower_z0")[0] - 1] = 1;
+      marker[mesh.Boundary("upper_x0")[0] - 1] = 1;
+      Array<int> dofs;
+      space.GetEssentialTrueDofs(marker, dofs);
+      return dofs;
+   }
+
+   Vector Random(int seed) const
+   {
+      return RandomEntries(spaces.Offsets().Last(), seed);
+   }
+
+   ContactTerms contact;
+   std::unique_ptr<VolumeMatrices> matrices;
+
+private:
+   static TouchingBlocksOptions Options(int order)
+   {
+      TouchingBlocksOptions options;
+      options.order = order;
+      return options;
+   }
+};
+
+/// Contact whose forces and jumps change with the displacement in every way, by
+/// matrices that mean nothing.
+class ComplexContact
+{
+public:
+   explicit ComplexContact(const Bodies &bodies)
+   {
+      ContactFactors factors = bodies.contact[0];
+      gap_weights = *factors.gap_weights;
+      jump_weights = *factors.jump_weights;
+      other_gap.reset(ParMult(factors.jump, bodies.matrices->divergence.get()));
+      gap_change.reset(Add(1.0, *factors.gap, 1.0, *other_gap));
+      Vector moderate(gap_weights);
+      moderate *= 1e-2;
+      force_change = WeightedProduct(*factors.gap, moderate, *other_gap);
+      outflow_change = WeightedProduct(*factors.jump, moderate, *factors.gap);
+      *outflow_change *= 0.1;
+      factors.gap_change = gap_change.get();
+      factors.force_change = force_change.get();
+      factors.jump_change = other_gap.get();
+      factors.outflow_change = outflow_change.get();
+      factors.gap_weights = &gap_weights;
+      factors.jump_weights = &jump_weights;
+      terms.push_back(factors);
+   }
+
+   /// Every third vertex leaves.
+   void LiftSome()
+   {
+      for (int j = 0; j < gap_weights.Size(); j += 3)
+      {
+         gap_weights[j] = 0.0;
+         jump_weights[j] = 0.0;
+      }
+   }
+
+   Vector gap_weights;
+   Vector jump_weights;
+   ContactTerms terms;
+
+private:
+   std::unique_ptr<HypreParMatrix> other_gap;
+   std::unique_ptr<HypreParMatrix> gap_change;
+   std::unique_ptr<HypreParMatrix> force_change;
+   std::unique_ptr<HypreParMatrix> outflow_change;
+};
+
+void SetToZero(const Array<int> &dofs, int begin, Vector &x)
+{
+   for (const int dof : dofs)
+   {
+      x[begin + dof] = 0.0;
+   }
+}
+} // namespace
+
+TEST_CASE("The bodies are in contact and out of it, sealed and drained")
+{
+   const int order = GENERATE(1, 2);
+   const Bodies bodies(order);
+   const auto [active, sealed, present] = bodies.Counts();
+   CAPTURE(order, active, sealed, present);
+   CHECK(sealed > 2);
+   CHECK(active > sealed + 2);
+   CHECK(present > active + 2);
+}
+
+TEST_CASE("The Jacobian is symmetric, and the assembled one is the same")
+{
+   const int order = GENERATE(1, 2);
+   CAPTURE(order);
+   const Bodies bodies(order);
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   const Array<int> u_dofs = bodies.Prescribed(bodies.spaces.Displacement());
+   const Array<int> p_dofs = bodies.Prescribed(bodies.spaces.Pressure());
+   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, bodies.contact);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(p_dofs);
+   const Vector holding = jacobian.Holding();
+   const auto assembled = jacobian.AssembleHeld(holding);
+   Vector ax(offsets.Last());
+   Vector ay(ax.Size());
+   Vector bx(ax.Size());
+   for (int seed = 1; seed <= 5; seed++)
+   {
+      const Vector x = bodies.Random(seed);
+      const Vector y = bodies.Random(seed + 100);
+      jacobian.Mult(x, ax);
+      jacobian.Mult(y, ay);
+      const real_t size = std::sqrt(bodies.Dot(ax, ax) * bodies.Dot(y, y));
+      CHECK(std::abs(bodies.Dot(y, ax) - bodies.Dot(x, ay)) <= 1e-12 * size);
+
+      // Definite: positive in the displacement, negative in the pressure.
+      Vector x_u(x);
+      Vector x_p(x);
+      for (int i = 0; i < x.Size(); i++)
+      {
+         (i < offsets[1] ? x_p : x_u)[i] = 0.0;
+      }
+      for (const int dof : p_dofs)
+      {
+         x_p[offsets[1] + dof] = 0.0;
+      }
+      jacobian.Mult(x_u, ay);
+      CHECK(bodies.Dot(x_u, ay) > 0.0);
+      jacobian.Mult(x_p, ay);
+      CHECK(bodies.Dot(x_p, ay) < 0.0);
+
+      // Prescribed pressures have unit rows here, and are held there.
+      Vector at_rest(x);
+      for (const int dof : p_dofs)
+      {
+         at_rest[offsets[1] + dof] = 0.0;
+      }
+      jacobian.Mult(at_rest, ax);
+      assembled->Mult(at_rest, bx);
+      for (const int dof : p_dofs)
+      {
+         bx[offsets[1] + dof] = 0.0;
+      }
+      bx -= ax;
+      CHECK(std::sqrt(bodies.Dot(bx, bx)) <=
+            1e-12 * std::sqrt(bodies.Dot(ax, ax)));
+   }
+}
+
+TEST_CASE("Contact with all its changes is applied as it is assembled")
+{
+   const int order = GENERATE(1, 2);
+   CAPTURE(order);
+   const Bodies bodies(order);
+   const ComplexContact contact(bodies);
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   const Array<int> u_dofs = bodies.Prescribed(bodies.spaces.Displacement());
+   const Array<int> p_dofs = bodies.Prescribed(bodies.spaces.Pressure());
+   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(p_dofs);
+   CHECK_FALSE(jacobian.IsContactSymmetric());
+   const auto assembled = jacobian.AssembleHeld(jacobian.Holding());
+   Vector ax(offsets.Last());
+   Vector ay(ax.Size());
+   Vector bx(ax.Size());
+   for (int seed = 1; seed <= 3; seed++)
+   {
+      Vector x = bodies.Random(seed);
+      const Vector y = bodies.Random(seed + 100);
+      jacobian.Mult(x, ax);
+      jacobian.Mult(y, ay);
+      CHECK(std::abs(bodies.Dot(y, ax) - bodies.Dot(x, ay)) >
+            1e-6 * std::sqrt(bodies.Dot(ax, ax) * bodies.Dot(y, y)));
+
+      SetToZero(p_dofs, offsets[1], x);
+      jacobian.Mult(x, ax);
+      assembled->Mult(x, bx);
+      SetToZero(p_dofs, offsets[1], bx);
+      bx -= ax;
+      CHECK(std::sqrt(bodies.Dot(bx, bx)) <=
+            1e-12 * std::sqrt(bodies.Dot(ax, ax)));
+   }
+}
+
+TEST_CASE("Contact with all its changes is solved by either method")
+{
+   const LinearMethod method =
+      GENERATE(LinearMethod::direct, LinearMethod::block_amg);
+   const Bodies bodies(2);
+   ComplexContact contact(bodies);
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   BiphasicJacobian jacobian(*bodies.matrices, offsets,
+                             bodies.Prescribed(bodies.spaces.Displacement()),
+                             contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
+   LinearOptions options;
+   options.method = method;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   const bool direct = method == LinearMethod::direct;
+   CAPTURE(direct);
+   const Vector exact = bodies.Random(1);
+   Vector right_side(exact.Size());
+   Vector found(exact.Size());
+   ResidualTolerance tolerance;
+   tolerance.momentum = tolerance.mass = 1e-9;
+   for (const bool lifted : {false, true})
+   {
+      CAPTURE(lifted);
+      if (lifted)
+      {
+         contact.LiftSome();
+      }
+      jacobian.Mult(exact, right_side);
+      const BiphasicLinearSolver::Result result =
+         solver.Solve(right_side, found, tolerance, 1.0);
+      CAPTURE(result.failure, result.iterations);
+      CHECK(result.converged);
+      // What is kept of the factorization is exact.
+      CHECK(result.iterations <= (direct ? 2 : 60));
+      found -= exact;
+      CHECK(std::sqrt(bodies.Dot(found, found)) <=
+            1e-5 * std::sqrt(bodies.Dot(exact, exact)));
+   }
+   if (direct)
+   {
+      CHECK(solver.Work().factorizations == 1);
+      CHECK(solver.Work().columns > 0);
+   }
+}
