@@ -417,7 +417,8 @@ bool BiphasicOperator::SolveSliding(Stage &stage, ResidualTolerance &tolerance)
       {
          return false;
       }
-      if (!equations.Bodies().IsLinear() && !FindViolations(stage).within_tolerance)
+      if (!equations.Bodies().IsLinear() &&
+          !FindViolations(stage).within_tolerance)
       {
          return true;
       }

@@ -196,7 +196,7 @@ TEST_CASE("The Jacobian of a stage is the derivative of its residual")
    CHECK(touching > sealed);
    CHECK(covered > touching + 2);
    const bool finite = setup.blocks.deformation == Deformation::finite;
-   CHECK(slid.blocks.pair->Constraint().HasDrifted() == finite);
+   CHECK(slid.blocks.pair->HasDrifted() == finite);
    CHECK(slid.blocks.pair->Factors().IsSymmetric() != finite);
    CHECK(slid.whole->Rigid().Any() == setup.driven);
 
