@@ -18,10 +18,10 @@
 Hexahedra, finer towards the surface where fluid leaves.
 
 Sample runs:
-  scripts/python meshes/boxes.py confined_compression -o column.msh
-  scripts/python meshes/boxes.py unconfined_compression -o disc.msh
-  scripts/python meshes/boxes.py two_columns -o two_columns.msh
-  scripts/python meshes/boxes.py two_columns -o coarse.msh --size 2
+  scripts/run_python meshes/boxes.py confined_compression -o column.msh
+  scripts/run_python meshes/boxes.py unconfined_compression -o disc.msh
+  scripts/run_python meshes/boxes.py two_columns -o two_columns.msh
+  scripts/run_python meshes/boxes.py two_columns -o coarse.msh --size 2
 """
 
 from __future__ import annotations

@@ -24,10 +24,10 @@ straight ones would overlap by h^2/(8 R), more than the first gaps. They are
 tetrahedra, or hexahedra with --hex.
 
 Sample runs:
-  scripts/python meshes/glenohumeral.py -o glenohumeral.msh       # 16,500 tets
-  scripts/python meshes/glenohumeral.py -o coarse.msh --size 1.6
-  scripts/python meshes/glenohumeral.py -o full.msh --full --size 2
-  scripts/python meshes/glenohumeral.py -o swept.msh --hex        # 2,784 hexes
+  scripts/run_python meshes/glenohumeral.py -o glenohumeral.msh   # 16,500 tets
+  scripts/run_python meshes/glenohumeral.py -o coarse.msh --size 1.6
+  scripts/run_python meshes/glenohumeral.py -o full.msh --full --size 2
+  scripts/run_python meshes/glenohumeral.py -o swept.msh --hex    # 2,784 hexes
 """
 
 from __future__ import annotations

@@ -12,8 +12,8 @@ and growing from there.
               upper_contact, upper_top, upper_sides
 
 Sample runs:
-  scripts/python meshes/hertz.py -o hertz.msh
-  scripts/python meshes/hertz.py -o coarse.msh --size 1.5
+  scripts/run_python meshes/hertz.py -o hertz.msh
+  scripts/run_python meshes/hertz.py -o coarse.msh --size 1.5
 """
 
 from __future__ import annotations

@@ -21,12 +21,12 @@ so that is where the small elements are; the circle r = a on top of the
 cartilage is a mesh line, for quadrature not to straddle the singularity.
 
 Sample runs:
-  scripts/python meshes/indentation.py -o indentation.msh        # 22,000 tets
-  scripts/python meshes/indentation.py -o coarse.msh --size 1.9  # 5,500
-  scripts/python meshes/indentation.py -o fine.msh --size 0.55   # 110,000
-  scripts/python meshes/indentation.py -o curved.msh --order 2
-  scripts/python meshes/indentation.py -o swept.msh --hex
-  scripts/python meshes/indentation.py -o bricks.msh --hex --size 1.5 \\
+  scripts/run_python meshes/indentation.py -o indentation.msh        # 22,000 tets
+  scripts/run_python meshes/indentation.py -o coarse.msh --size 1.9  # 5,500
+  scripts/run_python meshes/indentation.py -o fine.msh --size 0.55   # 110,000
+  scripts/run_python meshes/indentation.py -o curved.msh --order 2
+  scripts/run_python meshes/indentation.py -o swept.msh --hex
+  scripts/run_python meshes/indentation.py -o bricks.msh --hex --size 1.5 \\
     --rim 0.0034 --growth 1.2                             # 5,096, for order 1
 """
 

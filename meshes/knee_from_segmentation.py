@@ -25,9 +25,9 @@ Without IMAGE it is that of a real knee: see scripts/get_knee_image --help.
 
 Sample runs:
   image=$(scripts/get_knee_image)
-  scripts/python meshes/knee_from_segmentation.py "$image" -o knee.msh
-  scripts/python meshes/knee_from_segmentation.py "$image" --size 1.65
-  scripts/python meshes/knee_from_segmentation.py "$image" --size 0.52
+  scripts/run_python meshes/knee_from_segmentation.py "$image" -o knee.msh
+  scripts/run_python meshes/knee_from_segmentation.py "$image" --size 1.65
+  scripts/run_python meshes/knee_from_segmentation.py "$image" --size 0.52
 
 These have 37,000, 9,000 and 270,000 hexahedra.
 """

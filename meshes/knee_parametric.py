@@ -28,8 +28,8 @@ long and 33 wide (Gupta, Bhavsar & Ambiye 2015, Int J Anat Res 3:1073-78); their
 surfaces are those of their neighbors.
 
 Sample runs:
-  scripts/python meshes/knee_parametric.py -o knee.msh              # 35,000 hexes
-  scripts/python meshes/knee_parametric.py -o small.msh --size 2    # 5,000
+  scripts/run_python meshes/knee_parametric.py -o knee.msh          # 35,000 hexes
+  scripts/run_python meshes/knee_parametric.py -o small.msh --size 2      # 5,000
 """
 
 from __future__ import annotations

@@ -21,9 +21,9 @@ out the axis (surface axis, radius --hole).
 The femur touches the meniscus, and is clear of the tibia.
 
 Sample runs:
-  scripts/python meshes/meniscus_ring.py -o ring.msh                        # 16,000
-  scripts/python meshes/meniscus_ring.py -o quarter.msh --angle 90
-  scripts/python meshes/meniscus_ring.py -o wedge.msh --angle 5 --size 0.25
+  scripts/run_python meshes/meniscus_ring.py -o ring.msh                    # 16,000
+  scripts/run_python meshes/meniscus_ring.py -o quarter.msh --angle 90
+  scripts/run_python meshes/meniscus_ring.py -o wedge.msh --angle 5 --size 0.25
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@
 // scripts/plot_indentation.py draws the paper's pictures from them.
 //
 // Sample runs (scripts/run does all of it):
-//   scripts/python meshes/indentation.py -o indentation.msh
+//   scripts/run_python meshes/indentation.py -o indentation.msh
 //   mpirun -np 2 indentation --mesh indentation.msh
 //   mpirun -np 2 indentation -m indentation.msh -out out/rigid -r -s sdirk33
 //   mpirun -np 2 indentation -m indentation.msh -out out/direct -ls direct

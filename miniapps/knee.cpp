@@ -34,7 +34,7 @@
 // same problem for the driver; scripts/plot_knee.py draws the pictures.
 //
 // Sample runs:
-//   scripts/python meshes/knee_parametric.py -o knee.msh
+//   scripts/run_python meshes/knee_parametric.py -o knee.msh
 //   mpirun -np 2 knee --mesh knee.msh
 //   mpirun -np 2 knee --mesh knee.msh --order 2 --output out/order_2
 

@@ -15,7 +15,7 @@
 //
 // Sample runs:
 //   cd miniapps/cases
-//   ../../scripts/python ../../meshes/boxes.py confined_compression
+//   ../../scripts/run_python ../../meshes/boxes.py confined_compression
 //   mpirun -np 2 synovia confined_compression.toml
 //   synovia confined_compression.toml --check
 //   synovia confined_compression.toml --set time.step=50 --output out/coarse

@@ -19,9 +19,9 @@ it infinite. SDIRK33 with steps of 50 s leaves little error in time. Runs that a
 there already are not made again, and the picture shows the results so far.
 
 Sample runs, after scripts/setup and a build of the indentation miniapp:
-  scripts/python scripts/plot_accuracy.py out/accuracy
-  scripts/python scripts/plot_accuracy.py out/accuracy --ranks 2 --step 25
-  scripts/python scripts/plot_accuracy.py out/accuracy --orders 1 2
+  scripts/run_python scripts/plot_accuracy.py out/accuracy
+  scripts/run_python scripts/plot_accuracy.py out/accuracy --ranks 2 --step 25
+  scripts/run_python scripts/plot_accuracy.py out/accuracy --orders 1 2
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ Reads MESH, a gmsh file with the names which those scripts give, and draws
 side by side into one picture.
 
 Sample run:
-  scripts/python scripts/plot_knee_mesh.py knee.msh -o knee.png
+  scripts/run_python scripts/plot_knee_mesh.py knee.msh -o knee.png
 """
 
 from __future__ import annotations

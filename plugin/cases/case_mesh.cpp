@@ -25,7 +25,8 @@ std::string MeshAdvice(const CaseFile &setup, MPI_Comm comm)
    const auto file = setup.places.find("");
    return "; to make it and run the case: scripts/run " +
           (file == setup.places.end() ? "CASE.toml" : file->second.source) +
-          "; to make it: scripts/python " + command + " -o " + setup.mesh.file;
+          "; to make it: scripts/run_python " + command + " -o " +
+          setup.mesh.file;
 }
 
 } // namespace

@@ -8,7 +8,7 @@ install(DIRECTORY meshes DESTINATION ${synovia_data_dir}
   USE_SOURCE_PERMISSIONS FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/get_knee_image scripts/plot_glenohumeral.py
   scripts/plot_indentation.py scripts/plot_knee.py scripts/plot_knee_mesh.py
-  scripts/python scripts/report scripts/report.py
+  scripts/run_python scripts/report scripts/report.py
   DESTINATION ${synovia_data_dir}/scripts)
 install(FILES scripts/packages-python.txt scripts/requirements.txt
   DESTINATION ${synovia_data_dir}/scripts)

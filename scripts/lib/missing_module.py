@@ -11,7 +11,7 @@ import shlex
 import sys
 from types import TracebackType
 
-RUNNER = pathlib.Path(__file__).resolve().parents[1] / "python"
+RUNNER = pathlib.Path(__file__).resolve().parents[1] / "run_python"
 
 
 def is_missing(error: BaseException) -> bool:

@@ -52,7 +52,7 @@ NOT_RUN = {
     "sbatch scripts/benchmark.slurm": "needs a cluster",
     "scripts/compare_histories ../before/build/miniapps/synovia "
     "build/miniapps/synovia": "needs a second build",
-    "scripts/python scripts/plot_accuracy.py out/accuracy":
+    "scripts/run_python scripts/plot_accuracy.py out/accuracy":
         "measures for an hour",
 }
 # Programs in whose place another runs, and why.
@@ -108,7 +108,7 @@ def launchers(words: list[str]) -> int:
         count += 1
     if words[count] == "mpirun":
         count += 3
-    return count + words[count].endswith("scripts/python")
+    return count + words[count].endswith("scripts/run_python")
 
 
 def with_options(words: list[str], options: list[tuple[str, str]]

@@ -223,7 +223,7 @@ class WrongCase(Driver):
                 self.run_it("case.toml", "--check", ranks=ranks),
                 "case.toml:", "mesh.file", "indentation.msh",
                 "there is no such file", "scripts/run case.toml",
-                "scripts/python meshes/indentation.py -o indentation.msh")
+                "scripts/run_python meshes/indentation.py -o indentation.msh")
         self.change('generator = ["indentation.py"]', "")
         self.assertNotIn("scripts/run",
                          self.run_it("case.toml", "--check").stderr)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""scripts/run with a case of a user, scripts/python, options of scripts/test.
+"""scripts/run, scripts/run_python, options of scripts/test.
 
-Meshes are made when they have to be, by our scripts only and to where the case
-says; runs end with the status of synovia; what is wrong is said.
+Meshes of a case are made when they have to be, by our scripts only and to
+where the case says; runs end with the status of synovia; what is wrong is said.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class Run(Scripts):
         self.assertGreater(self.mesh.stat().st_mtime, 1)
 
     def test_mesh_of_somebody_else_is_left_alone(self) -> None:
-        made = self.start("python", SOURCE / "meshes" / "boxes.py",
+        made = self.start("run_python", SOURCE / "meshes" / "boxes.py",
                           "two_columns", "-o", self.mesh, "--size", "3")
         self.assertEqual(made.returncode, 0, made.stderr)
         before = self.mesh.read_bytes()
@@ -170,8 +170,8 @@ class Run(Scripts):
 
 class Python(Scripts):
     def test_runs_scripts(self) -> None:
-        self.assert_error(self.start("python"), "no script is given")
-        done = self.start("python", "-c", "import gmsh, sys; sys.exit(5)")
+        self.assert_error(self.start("run_python"), "no script is given")
+        done = self.start("run_python", "-c", "import gmsh, sys; sys.exit(5)")
         self.assertEqual(done.returncode, 5, done.stderr)
 
     def test_other_pythons_name_it(self) -> None:
@@ -183,7 +183,7 @@ class Python(Scripts):
                 [sys.executable, "-S", path, "two columns"], cwd=self.folder,
                 capture_output=True, text=True,
                 env=os.environ | {"PYTHONPATH": ""})
-            runner = os.path.relpath(SOURCE / "scripts/python", self.folder)
+            runner = os.path.relpath(SOURCE / "scripts/run_python", self.folder)
             with self.subTest(script=script):
                 self.assert_error(done, os.path.basename(script) + ": error: ",
                                   "No module named", "requirements.txt",
