@@ -1,8 +1,9 @@
 """How the documentation's commands are made short for a test.
 
 Rule: a program gets options behind its own, which make its mesh as coarse as
-the program's tests have it, and its run a few long steps to the same end. What
-can't run in a test is listed with its reason, and what stands in for it.
+the program's tests have it, and its run a few long steps to the same end, in
+finite deformation with a tenth of the load. What can't run in a test is listed
+with its reason, and what stands in for it.
 """
 
 from __future__ import annotations
@@ -24,6 +25,14 @@ COARSE = {
     "indentation.py": "3", "knee_from_segmentation.py": "3",
     "knee_parametric.py": "4", "meniscus_ring.py": "1.8"}
 KNEE = ["knee_parametric.py", "--size", COARSE["knee_parametric.py"]]
+# In finite deformation a tenth of the load: a few long steps are then enough.
+LIGHT = {
+    "indentation_finite.toml":
+        'boundary.indenter_top.displacement=["free", "free", '
+        '{times = [0, 500], values = [0, -0.0075]}]',
+    "glenohumeral_finite.toml":
+        "boundary.humeral_bone.displacement=[0, 0, "
+        "{times = [0, 10], values = [0, -0.02]}]"}
 
 # Other options that make a program quick.
 SMALL = {
@@ -156,11 +165,14 @@ def case_options(file: pathlib.Path, arguments: list[str],
                     in zip(arguments, arguments[1:]) if option == "--set")
     end = float(settings.get("time.end", case["time"]["end"]))
     options = [f"time.step={end / STEPS:g}", "output.fields_every=1"]
+    if file.name in LIGHT:
+        options.append(LIGHT[file.name])
     if makes_mesh:
         script, *own = case["mesh"]["generator"]
         # The image of a real knee has to be downloaded.
-        generator = (KNEE if script == "knee_from_segmentation.py"
-                     else [script, *own, "--size", COARSE[script]])
+        generator = (KNEE if script == "knee_from_segmentation.py" else
+                     with_options([script, *own],
+                                  [("--size", COARSE[script])]))
         options.append(f"mesh.generator={json.dumps(generator)}")
     return [("--set", option) for option in options]
 

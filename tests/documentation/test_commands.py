@@ -143,6 +143,9 @@ def check_tables(all_short: list[ShortCommand]) -> None:
                   short_versions.AS_THEY_ARE):
         for program in table:
             check(program.split()[0] in programs, f"listed: {program}")
+    for case in short_versions.LIGHT:
+        check(any(case.removesuffix(".toml") in text for text in texts),
+              f"listed: {case}")
 
 
 def main() -> None:

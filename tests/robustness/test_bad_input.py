@@ -19,6 +19,11 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
+
+from program_checks import WITHOUT_WAITING  # noqa: E402
+
 PROGRAM = pathlib.Path(os.environ.get("SYNOVIA_BUILD_DIR", "build"),
                        "miniapps", "indentation")
 MPIEXEC = os.environ.get("MPIEXEC", "mpiexec")
@@ -160,7 +165,8 @@ class Case(unittest.TestCase):
     def run_to_end(self, command: list[str]) -> subprocess.CompletedProcess:
         with subprocess.Popen(command, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True,
-                              cwd=self.folder, env=environment(),
+                              cwd=self.folder,
+                              env=environment() | WITHOUT_WAITING,
                               start_new_session=True) as run:
             try:
                 out, err = run.communicate(timeout=PATIENCE)

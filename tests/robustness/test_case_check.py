@@ -17,7 +17,7 @@ import sys
 import tempfile
 import unittest
 
-from test_bad_input import NOISE, TinyMesh, environment
+from test_bad_input import NOISE, TinyMesh, WITHOUT_WAITING, environment
 
 PROGRAM = pathlib.Path(os.environ.get("SYNOVIA_BUILD_DIR", "build"),
                        "miniapps", "synovia")
@@ -44,7 +44,8 @@ class Driver(unittest.TestCase):
         with subprocess.Popen(command, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True,
                               errors="replace", cwd=self.folder,
-                              env=environment(), start_new_session=True) as run:
+                              env=environment() | WITHOUT_WAITING,
+                              start_new_session=True) as run:
             try:
                 out, err = run.communicate(timeout=PATIENCE)
             except subprocess.TimeoutExpired:

@@ -8,6 +8,8 @@ need. On two ranks the message comes once.
 
 from __future__ import annotations
 
+import concurrent.futures
+import os
 import pathlib
 import subprocess
 import sys
@@ -15,7 +17,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
-from program_checks import MPIEXEC, PROGRAMS, check, finish  # noqa: E402
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, WITHOUT_WAITING, check, finish)
 
 WRONG = {
     "scaling": (
@@ -59,29 +62,32 @@ TOO_LARGE = (
      "unknowns, at least"))
 
 
-def refused(words: str, *command: str) -> None:
-    """Fails with one error, which has these words."""
-    program = command[0]
-    for ranks in ("1", "2"):
-        result = subprocess.run(
-            [MPIEXEC, "-n", ranks, PROGRAMS / program, *command[1:]],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            timeout=120)
-        errors = [line for line in result.stdout.splitlines()
-                  if line.startswith(f"{program}: error: ")]
-        if len(errors) != 1 or words not in errors[0]:
-            print(result.stdout)
-        check(result.returncode == 1 and len(errors) == 1
-              and words in errors[0],
-              f"{' '.join(command)} on {ranks} ranks: {words}")
+def run(ranks: int, program: str, *options: str
+        ) -> subprocess.CompletedProcess:
+    return subprocess.run(
+        [MPIEXEC, "-n", str(ranks), PROGRAMS / program, *options],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        env=os.environ | WITHOUT_WAITING, timeout=120)
 
 
 def main() -> None:
-    for program, options in WRONG.items():
-        for option, value, words in options:
-            refused(words, program, option, value)
-    for command, words in TOO_LARGE:
-        refused(words, *command)
+    wrong = [((program, option, value), words)
+             for program, options in WRONG.items()
+             for option, value, words in options]
+    jobs = [(ranks, command, words) for command, words in [*wrong, *TOO_LARGE]
+            for ranks in (1, 2)]
+    # Starting and ending ranks is mostly waiting.
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        results = pool.map(lambda job: run(job[0], *job[1]), jobs)
+        for (ranks, command, words), result in zip(jobs, results):
+            errors = [line for line in result.stdout.splitlines()
+                      if line.startswith(f"{command[0]}: error: ")]
+            good = (result.returncode == 1 and len(errors) == 1
+                    and words in errors[0])
+            if not good:
+                print(result.stdout)
+            check(good, f"{' '.join(command)} on {ranks} ranks: {words}")
+    check(len(jobs) > 60, f"{len(jobs)} runs")
     finish()
 
 
