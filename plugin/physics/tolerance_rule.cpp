@@ -1,5 +1,5 @@
+#include "synovia/physics/tolerance_rule.hpp"
 #include "synovia/general/reduce.hpp"
-#include "synovia/physics/biphasic_operator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,17 @@ namespace synovia
 
 using namespace mfem;
 
-ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
+ToleranceRule::ToleranceRule(BiphasicSpaces &spaces_,
+                             BoundaryConditions &conditions_,
+                             const std::vector<ContactPair *> &pairs_,
+                             const StageEquations &equations_, real_t relative_)
+   : spaces(spaces_), conditions(conditions_), pairs(pairs_),
+     equations(equations_), relative(relative_)
+{
+}
+
+ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
+                                      real_t force_per_volume) const
 {
    // How much of one equation's change counts as change of the other, which may
    // have none of its own.
@@ -23,8 +33,7 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    const auto norm = [comm](const Vector &x)
    { return std::sqrt(InnerProduct(comm, x, x)); };
 
-   // What the step would leave unbalanced if nothing moved but the supports.
-   Stage still(stage);
+   ImplicitStage still(stage);
    still.from_start = true;
    still.u = stage.u0;
    still.p = stage.p0;
@@ -32,11 +41,12 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    conditions.SetPressure(stage.time, still.p);
    BlockVector residual(spaces.Offsets());
    equations.ComputeResidual(still, residual);
-   const real_t scale = linear->ForcePerVolume();
    const real_t own_force = norm(residual.GetBlock(0));
    const real_t own_volume = norm(residual.GetBlock(1));
-   const real_t force = std::max(own_force, coupled * scale * own_volume);
-   const real_t volume = std::max(own_volume, coupled * own_force / scale);
+   const real_t force =
+      std::max(own_force, coupled * force_per_volume * own_volume);
+   const real_t volume =
+      std::max(own_volume, coupled * own_force / force_per_volume);
 
    Vector momentum(stage.u.Size());
    Vector mass(stage.p.Size());
@@ -53,7 +63,6 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    }
    mass *= stage.dt;
    equations.Bodies().AddMagnitudes(stage.dt, u, p, momentum, mass);
-   const real_t relative = options.linear.relative_tolerance;
    const real_t most = relative * volume;
    ResidualTolerance tolerance;
    tolerance.momentum = std::max(relative * force, round_off * norm(momentum));
@@ -67,8 +76,8 @@ ResidualTolerance BiphasicOperator::Tolerance(const Stage &stage) const
    return tolerance;
 }
 
-bool BiphasicOperator::Tighten(const Stage &stage,
-                               ResidualTolerance &tolerance) const
+bool ToleranceRule::Tighten(const ImplicitStage &stage,
+                            ResidualTolerance &tolerance) const
 {
    // Part of the fluid exchanged in the step that may get lost; Newton's method
    // of deforming bodies gains many digits at once.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+
+namespace synovia
+{
+
+struct NonlinearOptions
+{
+   /// Newton iterations for one set of multipliers.
+   int max_newton = 30;
+   int max_augmentations = 30;
+   /// Relative accuracy of a linear solve that suffices to see whether the
+   /// active set changes; a set that doesn't is then solved to the end. 0
+   /// solves every system to the end at once. In finite deformation systems
+   /// are solved as accurately as ForcingTerm says, unless this is 0.
+   mfem::real_t active_set_tolerance = 1e-4;
+   LinearOptions linear;
+   SolverTuning tuning;
+};
+
+} // namespace synovia

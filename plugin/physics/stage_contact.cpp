@@ -1,0 +1,127 @@
+#include "synovia/physics/stage_contact.hpp"
+#include "synovia/general/phase_timer.hpp"
+#include "synovia/general/reduce.hpp"
+
+#include <cmath>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+StageContact::StageContact(MPI_Comm comm_,
+                           const std::vector<ContactPair *> &pairs_,
+                           const std::vector<PushedBodies> &pushed_,
+                           StageEquations &equations_,
+                           BiphasicLinearSolver &linear_, SolveRecord &record_)
+   : comm(comm_), pairs(pairs_), pushed(pushed_), equations(equations_),
+     linear(linear_), record(record_)
+{
+}
+
+void StageContact::Start(ImplicitStage &stage, TouchRule rule)
+{
+   Search(stage);
+   for (ContactPair *pair : pairs)
+   {
+      AugmentedLagrangian &enforcement = pair->Enforcement();
+      enforcement.StartStage(stage.time);
+      enforcement.Evaluate(stage.u, stage.p);
+      enforcement.UpdateActiveSet(rule);
+   }
+   CatchPushed(stage);
+   equations.UpdateDrainedDofs(stage);
+}
+
+void StageContact::Search(const ImplicitStage &stage)
+{
+   const PhaseTimer timer(record.times.search);
+   if (equations.SearchContact(stage))
+   {
+      linear.ContactMoved();
+      record.report.searches++;
+      record.work.searches++;
+   }
+}
+
+bool StageContact::SearchDrifted(ImplicitStage &stage)
+{
+   bool drifted = false;
+   for (ContactPair *pair : pairs)
+   {
+      drifted = pair->HasDrifted() || drifted;
+   }
+   if (drifted)
+   {
+      Search(stage);
+      equations.EvaluateContact(stage);
+      Update(stage);
+      equations.UpdateDrainedDofs(stage);
+   }
+   return drifted;
+}
+
+bool StageContact::Update(ImplicitStage &stage)
+{
+   bool changed = false;
+   unsettled.clear();
+   for (ContactPair *pair : pairs)
+   {
+      if (pair->Enforcement().UpdateActiveSet())
+      {
+         changed = true;
+         unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
+      }
+   }
+   changed = CatchPushed(stage) || changed;
+   if (changed)
+   {
+      equations.UpdateDrainedDofs(stage);
+   }
+   return changed;
+}
+
+bool StageContact::CatchPushed(ImplicitStage &stage)
+{
+   bool caught = false;
+   for (const PushedBodies &group : pushed)
+   {
+      if (!group.PushesAt(stage.time) || group.AreHeldBy(pairs))
+      {
+         continue;
+      }
+      const real_t distance = group.Clearance(pairs);
+      if (!std::isfinite(distance))
+      {
+         continue;
+      }
+      stage.u.Add(distance, group.translation);
+      for (ContactPair *pair : pairs)
+      {
+         pair->Enforcement().Evaluate(stage.u, stage.p);
+         pair->Enforcement().UpdateActiveSet(TouchRule::nearness);
+      }
+      caught = true;
+   }
+   return caught;
+}
+
+StageContact::Violations
+StageContact::FindViolations(const ImplicitStage &stage) const
+{
+   Violations violations;
+   violations.peak_pressure =
+      MaxOverRanks(stage.p.Size() > 0 ? stage.p.Normlinf() : 0.0, comm);
+   for (const ContactPair *pair : pairs)
+   {
+      const AugmentedLagrangian &enforcement = pair->Enforcement();
+      violations.pairs.push_back(enforcement.FindViolations());
+      violations.within_tolerance =
+         enforcement.IsWithinTolerance(violations.pairs.back(),
+                                       violations.peak_pressure) &&
+         violations.within_tolerance;
+   }
+   return violations;
+}
+
+} // namespace synovia

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/physics/pushed_bodies.hpp"
+#include "synovia/physics/solve_record.hpp"
+#include "synovia/physics/stage_equations.hpp"
+
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// The contact of all pairs as a stage is solved: which points face each
+/// other, which vertices touch, and what gaps are left. All members are
+/// collective.
+class StageContact
+{
+public:
+   /// Gaps and pressure jumps of all pairs.
+   struct Violations
+   {
+      /// In the order of the pairs.
+      std::vector<ContactViolations> pairs;
+      /// Largest pressure (stress).
+      mfem::real_t peak_pressure = 0.0;
+      bool within_tolerance = true;
+   };
+
+   /// Borrows all arguments. @a linear learns of new searches, @a record counts
+   /// them.
+   StageContact(MPI_Comm comm, const std::vector<ContactPair *> &pairs,
+                const std::vector<PushedBodies> &pushed,
+                StageEquations &equations, BiphasicLinearSolver &linear,
+                SolveRecord &record);
+
+   /// Searches, and decides by @a rule what touches at the first guess of the
+   /// stage.
+   void Start(ImplicitStage &stage, TouchRule rule);
+   /// Decides anew what touches, from the gaps as they were evaluated last;
+   /// says whether anything changed.
+   bool Update(ImplicitStage &stage);
+   /// Lets pairs search anew whose points have gone to other partners, and
+   /// updates them; says whether any did.
+   bool SearchDrifted(ImplicitStage &stage);
+   Violations FindViolations(const ImplicitStage &stage) const;
+
+   const std::vector<ContactPair *> &Pairs() const { return pairs; }
+   /// Names of the pairs whose active set the last Update() changed.
+   const std::string &Unsettled() const { return unsettled; }
+
+private:
+   void Search(const ImplicitStage &stage);
+   /// Moves bodies that the contact has let go of, and that a force pushes,
+   /// until they touch.
+   bool CatchPushed(ImplicitStage &stage);
+
+   MPI_Comm comm;
+   const std::vector<ContactPair *> &pairs;
+   const std::vector<PushedBodies> &pushed;
+   StageEquations &equations;
+   BiphasicLinearSolver &linear;
+   SolveRecord &record;
+   std::string unsettled;
+};
+
+} // namespace synovia

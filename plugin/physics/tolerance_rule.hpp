@@ -1,0 +1,37 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/physics/stage_equations.hpp"
+
+#include <vector>
+
+namespace synovia
+{
+
+/// How small the residual of a stage has to be: a part of what the step would
+/// leave unbalanced if nothing moved but the supports, and no less than
+/// round-off. All members are collective.
+class ToleranceRule
+{
+public:
+   /// Borrows all but @a relative, the part of momentum and mass.
+   ToleranceRule(BiphasicSpaces &spaces, BoundaryConditions &conditions,
+                 const std::vector<ContactPair *> &pairs,
+                 const StageEquations &equations, mfem::real_t relative);
+
+   /// @a force_per_volume as BiphasicLinearSolver has it.
+   ResidualTolerance Find(const ImplicitStage &stage,
+                          mfem::real_t force_per_volume) const;
+   /// Lowers the tolerance of the mass to a part of the fluid that the step, as
+   /// solved, exchanges; false if that hardly changes it.
+   bool Tighten(const ImplicitStage &stage, ResidualTolerance &tolerance) const;
+
+private:
+   BiphasicSpaces &spaces;
+   BoundaryConditions &conditions;
+   const std::vector<ContactPair *> &pairs;
+   const StageEquations &equations;
+   mfem::real_t relative;
+};
+
+} // namespace synovia
