@@ -13,9 +13,7 @@ FiniteConstraint::FiniteConstraint(ContactGeometry &geometry_,
                                    InitialOverlap initial_overlap_,
                                    real_t gap_tolerance_)
    : geometry(geometry_), initial_overlap(initial_overlap_),
-     gap_tolerance(gap_tolerance_),
-     gaps(std::make_unique<FiniteGap>(geometry.Source(), geometry.Destination(),
-                                      geometry.Options())),
+     gap_tolerance(gap_tolerance_), gaps(MakeGap()),
      removed_overlap(geometry.DestinationAreas().Size())
 {
    removed_overlap = 0.0;
@@ -57,10 +55,16 @@ void FiniteConstraint::SearchAt(const Vector &u)
    linearized = false;
 }
 
+std::unique_ptr<FiniteGap> FiniteConstraint::MakeGap() const
+{
+   return std::make_unique<FiniteGap>(geometry.Source(), geometry.Destination(),
+                                      geometry.DestinationAreas(),
+                                      geometry.Options());
+}
+
 std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
 {
-   auto found = std::make_unique<FiniteGap>(
-      geometry.Source(), geometry.Destination(), geometry.Options());
+   std::unique_ptr<FiniteGap> found = MakeGap();
    found->Search();
    geometry.LeaveOutSlivers(found->Operators());
    return found;

@@ -46,6 +46,8 @@ public:
 private:
    /// Whether the surfaces are at displacement @a u, on all ranks.
    bool IsAt(const mfem::Vector &u) const;
+   /// Not searched yet.
+   std::unique_ptr<FiniteGap> MakeGap() const;
    std::unique_ptr<FiniteGap> SearchAnew() const;
    /// Whether gaps or areas are others than ours, on this rank.
    bool Differs(const FiniteGap &other) const;

@@ -81,9 +81,9 @@ private:
 
 FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
-                     const GapOptions &options)
+                     const Vector &destination_areas, const GapOptions &options)
    : spaces(destination.Spaces()), pairing(source, destination, options),
-     rim(destination, options.rim_coverage)
+     rim(destination, destination_areas, options.rim_coverage)
 {
 }
 

@@ -27,9 +27,9 @@ namespace synovia
 class FiniteGap
 {
 public:
-   /// Borrows both surfaces.
+   /// Borrows both surfaces, and the NodalAreas() of the destination.
    FiniteGap(const ContactSurface &source, const ContactSurface &destination,
-             const GapOptions &options);
+             const mfem::Vector &destination_areas, const GapOptions &options);
 
    /// Lets the surfaces look for each other anew where they are now.
    void Search();

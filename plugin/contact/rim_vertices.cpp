@@ -1,5 +1,4 @@
 #include "synovia/contact/rim_vertices.hpp"
-#include "synovia/contact/gap_operators.hpp"
 #include "synovia/contact/local_blocks.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
 #include "synovia/general/reduce.hpp"
@@ -41,9 +40,9 @@ std::vector<FaceOverlap> FaceOverlaps(const SurfacePairing &pairing)
 } // namespace
 
 RimVertices::RimVertices(const ContactSurface &destination_,
-                         real_t rim_coverage_)
-   : destination(destination_), rim_coverage(rim_coverage_),
-     whole_area(NodalAreas(destination))
+                         const Vector &whole_area_, real_t rim_coverage_)
+   : destination(destination_), whole_area(whole_area_),
+     rim_coverage(rim_coverage_)
 {
 }
 

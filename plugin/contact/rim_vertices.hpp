@@ -16,9 +16,10 @@ namespace synovia
 class RimVertices
 {
 public:
-   /// Borrows the surface. A vertex belongs to the rim if the source covers
-   /// less than this part of it.
-   RimVertices(const ContactSurface &destination, mfem::real_t rim_coverage);
+   /// Borrows the surface and its NodalAreas(). A vertex belongs to the rim if
+   /// the source covers less than @a rim_coverage of its area.
+   RimVertices(const ContactSurface &destination,
+               const mfem::Vector &whole_area, mfem::real_t rim_coverage);
 
    /// Finds them, for the points of @a pairing and the areas around vertices
    /// that these make up. Collective.
@@ -34,8 +35,8 @@ public:
 
 private:
    const ContactSurface &destination;
+   const mfem::Vector &whole_area;
    mfem::real_t rim_coverage;
-   mfem::Vector whole_area;
    /// Functions of multipliers x shape functions; null where both are the same.
    std::unique_ptr<mfem::HypreParMatrix> gathering;
 };

@@ -70,7 +70,8 @@ public:
       : mesh(Distribute(shape, comm)), spaces(mesh.Get(), shape.order),
         source(spaces, mesh.Boundary("upper_z0")),
         destination(spaces, mesh.Boundary("lower_z1")),
-        gap(source, destination, Options())
+        destination_areas(NodalAreas(destination)),
+        gap(source, destination, destination_areas, Options())
    {
    }
 
@@ -135,6 +136,7 @@ public:
    BiphasicSpaces spaces;
    ContactSurface source;
    ContactSurface destination;
+   Vector destination_areas;
    FiniteGap gap;
 
 private:
