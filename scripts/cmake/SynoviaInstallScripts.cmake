@@ -18,6 +18,11 @@ install(DIRECTORY scripts/lib DESTINATION ${synovia_data_dir}/scripts
   PATTERN "case_*" EXCLUDE PATTERN "find_mfem" EXCLUDE
   PATTERN "histories.py" EXCLUDE
   PATTERN "__pycache__" EXCLUDE)
+# The reader of results that they have from the Python package, which pip can
+# install from there.
+install(DIRECTORY scripts/python DESTINATION ${synovia_data_dir}/scripts
+  FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "*.toml"
+  PATTERN "*.md" PATTERN "*.ipynb" PATTERN "__pycache__" EXCLUDE)
 # What the plots compare with.
 install(DIRECTORY tests/reference DESTINATION ${synovia_data_dir}/tests
   FILES_MATCHING PATTERN "*.csv")

@@ -11,7 +11,7 @@ import pathlib
 import re
 import shlex
 
-LANGUAGES = {"sh", "cpp", "cmake", "toml"}
+LANGUAGES = {"sh", "cpp", "cmake", "toml", "python"}
 FENCE = re.compile(r"^```(\w*)$")
 # What a command begins with, at the head of a case file.
 COMMAND = re.compile(r"(\w+=\$\()?(scripts/|build/|mpirun |synovia )")

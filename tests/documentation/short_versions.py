@@ -22,7 +22,8 @@ STEPS = 6       # of a run
 ENDS = {"indentation": 1500.0, "scripts/run": 1500.0}
 COARSE = {
     "boxes.py": "3", "glenohumeral.py": "2.5", "hertz.py": "1.5",
-    "indentation.py": "3", "knee_from_segmentation.py": "3",
+    "indentation.py": "3", "indentation_wedge.py": "4",
+    "knee_from_segmentation.py": "3",
     "knee_parametric.py": "4", "meniscus_ring.py": "1.8"}
 KNEE = ["knee_parametric.py", "--size", COARSE["knee_parametric.py"]]
 # In finite deformation a tenth of the load: a few long steps are then enough.
@@ -54,6 +55,8 @@ NOT_RUN = {
     "ctest --test-dir build": "would run this test",
     "cmake --install build --prefix /where/you/like":
         "the path stands for one of the reader",
+    "pip install ./scripts/python":
+        "would change the tests' Python; test_python_install does it elsewhere",
     "scripts/test --sanitize": "builds all of it a second time",
     "scripts/test --compiler clang++-14 --build-type Debug":
         "builds all of it a second time",

@@ -263,6 +263,16 @@ def indentation_finite(run: Runs) -> None:
     balanced(rows, "indenter-cartilage")
 
 
+def indentation_wedge(run: Runs) -> None:
+    rows = run(CASES / "indentation_wedge.toml",
+               run.mesh("indentation_wedge.py"), ranks=1)
+    exact = reference("indent_force.csv", "t", "F_permeable")
+    turn = 2 * math.pi / math.sin(math.radians(5))
+    for t in (100, 250, 500, 1500):
+        close(-turn * at(rows, t)["reaction.punch.z"], exact[t], 3e-3,
+              f"force at {t} s")
+
+
 def glenohumeral_finite(run: Runs) -> None:
     mesh = run.mesh("glenohumeral.py", "--size", "2.5")
     joint(run(CASES / "glenohumeral_finite.toml", mesh, "time.end=2",
@@ -274,9 +284,9 @@ def main() -> None:
         run = Runs(pathlib.Path(name))
         for case in (confined, unconfined, confined_finite,
                      unconfined_finite, two_columns, hertz, indentation,
-                     indentation_hexahedra, indentation_finite, glenohumeral,
-                     glenohumeral_hexahedra, glenohumeral_finite,
-                     meniscus_ring):
+                     indentation_hexahedra, indentation_finite,
+                     indentation_wedge, glenohumeral, glenohumeral_hexahedra,
+                     glenohumeral_finite, meniscus_ring):
             case(run)
     shipped = [case for case in sorted(CASES.glob("*.toml"))
                if not case.name.endswith(".frames.toml")]
