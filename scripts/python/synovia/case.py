@@ -10,7 +10,7 @@ import sys
 import tempfile
 import tomllib
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from synovia import program
 from synovia.errors import CaseError, SynoviaError
@@ -62,7 +62,7 @@ class Case(Section):
     """
 
     def __new__(cls, *_arguments: Any, **_keys: Any) -> Case:
-        return object.__new__(class_of(schema(), Case))
+        return cast(Case, object.__new__(class_of(schema(), Case)))
 
     def __init__(self, source: Path | Mapping[str, Any] | None = None,
                  **keys: Any):

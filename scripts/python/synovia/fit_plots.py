@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from synovia.measured import Curve
 
 
-def _columns(count: int, rows: int, **more: object
+def _columns(count: int, rows: int, **more: Any
              ) -> tuple[Figure, np.ndarray]:
     import matplotlib.pyplot as plt
     return plt.subplots(rows, count, sharex="col", squeeze=False,

@@ -56,10 +56,11 @@ class Curve:
 
     @classmethod
     def read(cls, file: str | os.PathLike[str], t: str, values: str,
-             quantity: Quantity, **more: object) -> Curve:
+             quantity: Quantity, factor: float = 1.0,
+             sigma: float | np.ndarray | None = None, name: str = "") -> Curve:
         """Two columns of a CSV file with a head; # begins comments."""
         table = Table(file)
-        return cls(table[t], table[values], quantity, **more)
+        return cls(table[t], table[values], quantity, factor, sigma, name)
 
     @property
     def label(self) -> str:

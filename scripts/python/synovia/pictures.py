@@ -56,14 +56,30 @@ def draw(grid: pyvista.UnstructuredGrid, field: str,
                   else values[:, component])
     grid = grid.copy(deep=False)
     grid[title] = values
-    plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
-    plotter.background_color = "white"
-    look = {"cmap": "viridis", "ambient": 0.45, "diffuse": 0.6,
-            "scalar_bar_args": {"color": "black", "vertical": True}} | look
-    plotter.add_mesh(grid.extract_surface(nonlinear_subdivision=2),
-                     scalars=title, **look)
+    plotter = pyvista.Plotter(off_screen=True, window_size=list(SIZE))
+    plotter.set_background("white")
+    bar = {"color": "black", "vertical": True, "title": "",
+           "position_x": 0.8}
+    shown: dict[str, Any] = {"cmap": "viridis", "ambient": 0.45,
+                             "diffuse": 0.6, "scalar_bar_args": bar, **look}
+    # Edges of the parts into which curved faces are split are nobody's.
+    surface = grid.extract_surface(
+        nonlinear_subdivision=0 if shown.get("show_edges") else 2)
+    plotter.add_mesh(surface, scalars=title, **shown)
+    plotter.add_text(title, position="upper_right", font_size=12,
+                     color="black")
     plotter.view_vector((-1.0, -1.4, 0.7), viewup=(0, 0, 1))
     plotter.enable_anti_aliasing("ssaa")
-    pixels = plotter.screenshot(return_img=True)
+    pixels = np.asarray(plotter.screenshot(return_img=True))
     plotter.close()
-    return Picture(np.asarray(pixels))
+    return Picture(without_margins(pixels))
+
+
+def without_margins(pixels: np.ndarray) -> np.ndarray:
+    """Rows and columns from the first to the last that are not white."""
+    drawn = (pixels < 255).any(axis=2)
+    if not drawn.any():
+        raise OutputError("VTK drew an empty picture: can it draw on this "
+                          "machine?")
+    rows, columns = np.nonzero(drawn)
+    return pixels[rows.min():rows.max() + 1, columns.min():columns.max() + 1]

@@ -89,8 +89,9 @@ def parse(text: str) -> TableSchema:
     for line in lines[1:]:
         if not line.strip():
             break
-        key = Key(*(line[start:end].strip()
-                    for start, end in zip(starts, ends)))
+        path, kind, default, unit, meaning = (
+            line[start:end].strip() for start, end in zip(starts, ends))
+        key = Key(path, kind, default, unit, meaning)
         # A law of a key's list comes as a row whose type is its name.
         if previous and previous.path == key.path \
                 and previous.type == "word" \
