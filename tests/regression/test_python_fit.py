@@ -86,8 +86,8 @@ class Fits(unittest.TestCase):
         self.assertIn("95 % interval", found._repr_html_())
 
     def test_two_experiments(self) -> None:
-        cases = [self.case("confined_compression", "2", step=25),
-                 self.case("unconfined_compression", "2", step=25)]
+        cases = [self.case("confined_compression", "2", step=50),
+                 self.case("unconfined_compression", "3", step=50)]
         files = [("confined_ramp_reaction.csv", "stress_compressive", -1/0.04),
                  ("unconfined_ramp_force.csv", "F", -4.0)]
         curves = []

@@ -8,11 +8,11 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from program_checks import SOURCE, check, finish, run_program  # noqa: E402
+from program_checks import (  # noqa: E402
+    PROGRAMS, SOURCE, check, finish, run_program)
 
 PACKAGE = SOURCE / "scripts" / "python"
 
@@ -44,15 +44,10 @@ def main() -> None:
         check(scheme == "backward_euler", "it asks the program for its schema")
         check((scipy, pyvista) == ("False", "False"),
               "and loads nothing before it is used")
-        version = declared_version()
+        version = run_program(PROGRAMS / "synovia", "--version").split()[1]
         check((target / f"synovia-{version}.dist-info").exists(),
-              f"its version is {version}")
+              f"its version is the program's, {version}")
     finish()
-
-
-def declared_version() -> str:
-    project = tomllib.loads((PACKAGE / "pyproject.toml").read_text())
-    return project["project"]["version"]
 
 
 if __name__ == "__main__":

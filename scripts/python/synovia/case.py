@@ -101,6 +101,8 @@ class Case(Section):
     def __str__(self) -> str:
         return document(as_values(self))
 
+    __repr__ = __str__
+
     def copy(self, changes: Mapping[str, Any] | None = None) -> Case:
         """Another one, with changes such as {"material.0.solid.E": 0.5}."""
         made = Case(self)

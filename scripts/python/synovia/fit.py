@@ -34,7 +34,7 @@ def fit(case: Case | Sequence[Case],
     default as many as the cores hold.
     tolerance: ends the search when the sum of squared residuals changes less,
     relatively, or the unknowns a hundredth of that.
-    step: of central differences, relative to a parameter.
+    step: of finite differences, relative to a parameter.
     confidence: of the intervals, by the Jacobian at the end.
     folder: keeps the runs' outputs.
 
@@ -53,7 +53,7 @@ def fit(case: Case | Sequence[Case],
                        line(progress))
         try:
             found = least_squares(
-                model.residuals, model.start, jac=model.jacobian,
+                model.residuals, model.start, jac=model.slopes,
                 bounds=model.bounds, x_scale="jac", ftol=tolerance,
                 xtol=1e-2 * tolerance, gtol=None, max_nfev=max_iterations)
             jacobian = model.jacobian(found.x)
@@ -135,29 +135,42 @@ class _Model:
             f"{self.runs} runs")
         return residuals
 
-    def jacobian(self, x: np.ndarray) -> np.ndarray:
-        """By central differences, all runs at once."""
+    def slopes(self, x: np.ndarray) -> np.ndarray:
+        """The Jacobian by differences to one side, which the search needs."""
         ends = []
-        for i, parameter in enumerate(self.parameters):
-            size = self._step * (1.0 if parameter.log
-                                 else max(abs(x[i]), self._step))
-            for sign in (-1.0, 1.0):
-                end = x.copy()
-                end[i] += sign * size
-                # At a bound the difference is one-sided.
-                end[i] = np.clip(end[i], self.bounds[0][i], self.bounds[1][i])
-                ends.append(end)
-        values = self._evaluate(ends)
-        columns = []
         for i in range(len(x)):
-            low, high = 2 * i, 2 * i + 1
-            if not (np.isfinite(values[low]).all()
-                    and np.isfinite(values[high]).all()):
+            ahead = self._beside(x, i, 1.0)
+            ends.append((x, ahead if ahead[i] > x[i]
+                         else self._beside(x, i, -1.0)))
+        return self._differences(ends)
+
+    def jacobian(self, x: np.ndarray) -> np.ndarray:
+        """By central differences, one-sided at a bound."""
+        return self._differences([(self._beside(x, i, -1.0),
+                                   self._beside(x, i, 1.0))
+                                  for i in range(len(x))])
+
+    def _beside(self, x: np.ndarray, i: int, sign: float) -> np.ndarray:
+        """With another value of the i-th unknown, within its bounds."""
+        size = self._step * (1.0 if self.parameters[i].log
+                             else max(abs(x[i]), self._step))
+        end = x.copy()
+        end[i] = np.clip(x[i] + sign * size, self.bounds[0][i],
+                         self.bounds[1][i])
+        return end
+
+    def _differences(self, ends: list[tuple[np.ndarray, np.ndarray]]
+                     ) -> np.ndarray:
+        """A column for each pair of points; all runs go side by side."""
+        values = self._evaluate([x for pair in ends for x in pair])
+        columns = []
+        for i, (start, end) in enumerate(ends):
+            change = values[2 * i + 1] - values[2 * i]
+            if not np.isfinite(change).all():
                 raise SynoviaError(
-                    "the runs beside " + self._describe(x) + " failed: "
-                    f"{self.parameters[i].name} can't be varied there")
-            columns.append((values[high] - values[low])
-                           / (ends[high][i] - ends[low][i]) / self._scale)
+                    f"runs with {self._describe(start)} or {self._describe(end)}"
+                    f" failed: {self.parameters[i].name} can't be varied there")
+            columns.append(change / (end[i] - start[i]) / self._scale)
         return np.stack(columns, axis=1)
 
     def _describe(self, x: np.ndarray) -> str:

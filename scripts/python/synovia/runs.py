@@ -49,7 +49,7 @@ class Run:
         command += ["--resume"] if resume else []
         self._said: list[str] = []
         self._process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             text=True, env=program.environment(), start_new_session=True)
 
     def _require_empty(self) -> None:
