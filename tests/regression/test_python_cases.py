@@ -11,10 +11,11 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from python_package import CASES, coarse_columns, synovia  # noqa: E402
+from python_package import CASES, SOURCE, coarse_columns, synovia  # noqa: E402
 
 import numpy as np  # noqa: E402
 
+from synovia.program import ENVIRONMENT  # noqa: E402
 from synovia.schema import parse, schema  # noqa: E402
 
 SHIPPED = sorted(file for file in CASES.glob("*.toml")
@@ -158,6 +159,11 @@ class Cases(unittest.TestCase):
 
 
 class Program(unittest.TestCase):
+    def test_environment_is_that_of_the_scripts(self) -> None:
+        lines = (SOURCE / "scripts/lib/run.env").read_text().splitlines()
+        self.assertEqual(ENVIRONMENT, dict(
+            line.split("=", 1) for line in lines if not line.startswith("#")))
+
     def test_missing(self) -> None:
         with self.assertRaisesRegex(synovia.SynoviaError, "is no program"):
             synovia.use_program("/nowhere/synovia")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import pathlib
 import signal
 import sys
@@ -12,6 +13,7 @@ import tempfile
 import threading
 import time
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
@@ -97,6 +99,25 @@ class Runs(unittest.TestCase):
             self.case.copy({"material.0.solid.nu": 0.6}).run()
         with self.assertRaisesRegex(synovia.SynoviaError, "ranks = 0"):
             self.case.run(ranks=0)
+        with unittest.mock.patch.dict(os.environ, MPIEXEC="/no/mpirun"), \
+                self.assertRaisesRegex(synovia.RunError, "start '/no/mpirun'"):
+            self.case.run(ranks=2, overwrite=True)
+
+    def test_started_and_stopped(self) -> None:
+        self.case.time.step = 0.5
+        run = self.case.start(ranks=2)
+        while not (self.out / "history.csv").exists():
+            time.sleep(0.01)
+        self.assertTrue(run.running)
+        run.stop()
+        with self.assertRaisesRegex(synovia.Stopped, "stopped at t = "):
+            run.wait()
+        self.assertFalse(run.running)
+        self.assertLess(synovia.Result(self.out).t[-1], 1000)
+        run = self.case.start(resume=True)
+        run.kill()
+        with self.assertRaisesRegex(synovia.RunError, "exit status -9"):
+            run.wait()
 
     def test_ctrl_c_and_resume(self) -> None:
         whole = self.case.run(output=self.folder / "whole").history()

@@ -168,8 +168,9 @@ class _Model:
             change = values[2 * i + 1] - values[2 * i]
             if not np.isfinite(change).all():
                 raise SynoviaError(
-                    f"runs with {self._describe(start)} or {self._describe(end)}"
-                    f" failed: {self.parameters[i].name} can't be varied there")
+                    f"runs with {self._describe(start)} or "
+                    f"{self._describe(end)} failed: "
+                    f"{self.parameters[i].name} can't be varied there")
             columns.append(change / (end[i] - start[i]) / self._scale)
         return np.stack(columns, axis=1)
 

@@ -91,7 +91,8 @@ class Curve:
             raise OutputError(
                 f"{self.label} was measured from t = {self.t[0]:g} to "
                 f"{self.t[-1]:g}, and '{result.directory}' has steps from "
-                f"{t[0]:g} to {t[-1]:g}")
+                f"{t[0]:g} to {t[-1]:g}: leave the other points out, or change "
+                "time.step or time.end")
         return self.factor * PchipInterpolator(t, values)(
             np.clip(self.t, t[0], t[-1]))
 

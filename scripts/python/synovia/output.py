@@ -55,6 +55,10 @@ class Table(Mapping):
     def __contains__(self, name: object) -> bool:
         return name in self._columns
 
+    def __repr__(self) -> str:
+        rows = len(next(iter(self._columns.values())))
+        return f"Table({str(self.file)!r}): {rows} rows of {', '.join(self)}"
+
     def __iter__(self):
         return iter(self._columns)
 

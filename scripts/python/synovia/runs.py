@@ -48,9 +48,14 @@ class Run:
         command += ["--overwrite"] if overwrite else []
         command += ["--resume"] if resume else []
         self._said: list[str] = []
-        self._process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True, env=program.environment(), start_new_session=True)
+        try:
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True,
+                env=program.environment(), start_new_session=True)
+        except OSError as error:
+            raise RunError(f"cannot start '{command[0]}': {error.strerror}; "
+                           "MPIEXEC names what starts ranks") from error
 
     def _require_empty(self) -> None:
         found = [name for name in RESULTS if (self.output / name).exists()]
