@@ -134,4 +134,4 @@ class Parameter:
         return math.log(value) if value > 0 else -math.inf
 
     def outer(self, x: float) -> float:
-        return math.exp(x) if self.log else x
+        return math.exp(x) if self.log else float(x)

@@ -8,6 +8,7 @@ import pathlib
 import re
 import signal
 import subprocess
+import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
     from synovia.case import Case
 
 INPUT = "input.toml"    # in the output directory: the case as it was given
-STEP = re.compile(r"step (\d+)\S*  t (\S+)")
+STEP = re.compile(r"  step (\d+)  t (\S+)  ")
 STOPPED = re.compile(r"stopped at t = ([^;\s]+)")
+POLL = 0.2          # seconds between looks at the log
+LAST_LINES = 20_000 # bytes of the log that hold the newest step
 RESULTS = ("history.csv", "checkpoint", "fields", "lines")
 
 # Called with the number of the step and its time.
@@ -56,6 +59,8 @@ class Run:
         except OSError as error:
             raise RunError(f"cannot start '{command[0]}': {error.strerror}; "
                            "MPIEXEC names what starts ranks") from error
+        self._listener = threading.Thread(target=self._listen, daemon=True)
+        self._listener.start()
 
     def _require_empty(self) -> None:
         found = [name for name in RESULTS if (self.output / name).exists()]
@@ -83,16 +88,16 @@ class Run:
     def wait(self, show: Show | None = None) -> Result:
         """The results, at the end of the run.
 
-        show: called with number and time of steps as they are reported.
+        show: called with number and time of the newest step.
         Raises Stopped after Ctrl-C or stop(), and RunError.
         """
-        assert self._process.stdout is not None
         interrupted = False
         while True:
             try:
-                self._listen(show)
+                while self._listener.is_alive():
+                    self._listener.join(POLL)
+                    self._report(show)
                 status = self._process.wait()
-                self._process.stdout.close()
                 break
             except KeyboardInterrupt:
                 if interrupted:
@@ -111,12 +116,23 @@ class Run:
                            or f"the run ended with exit status {status}")
         return Result(self.output)
 
-    def _listen(self, show: Show | None) -> None:
-        for line in self._process.stdout or ():
-            self._said.append(line)
-            step = STEP.match(line)
-            if step and show:
-                show(int(step[1]), float(step[2]))
+    def _listen(self) -> None:
+        assert self._process.stdout is not None
+        with self._process.stdout as said:
+            self._said.extend(said)
+
+    def _report(self, show: Show | None) -> None:
+        """Of the newest step in the log: the screen has only some of them."""
+        if show is None:
+            return
+        try:
+            with open(self.output / "run.log", "rb") as log:
+                log.seek(max(0, log.seek(0, os.SEEK_END) - LAST_LINES))
+                steps = STEP.findall(log.read().decode(errors="replace"))
+        except OSError:     # it has not begun
+            return
+        if steps:
+            show(int(steps[-1][0]), float(steps[-1][1]))
 
 
 def _errors(text: str) -> str:
