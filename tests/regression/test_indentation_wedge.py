@@ -88,7 +88,7 @@ def creep(folder: pathlib.Path) -> None:
                    "curve": {"times": [0, 5],
                              "values": [0, RELAXED / whole_turn(5)]}}
     case.time = {"end": 3000, "step": 100, "scheme": "sdirk33"}
-    travel = run(case, folder).history()["travel.punch"]
+    travel = run(case, folder).history["travel.punch"]
     check((np.diff(travel) > -1e-9).all() and travel[0] < 0.8 * travel[-1],
           "the punch creeps")
     near(travel[-1], DEPTH, 6e-3, "depth at rest")

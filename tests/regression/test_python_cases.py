@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import pathlib
 import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
@@ -15,7 +18,7 @@ from python_package import CASES, SOURCE, coarse_columns, synovia  # noqa: E402
 
 import numpy as np  # noqa: E402
 
-from synovia.program import ENVIRONMENT  # noqa: E402
+from synovia.program import ENVIRONMENT, program  # noqa: E402
 from synovia.schema import parse, schema  # noqa: E402
 
 SHIPPED = sorted(file for file in CASES.glob("*.toml")
@@ -167,6 +170,30 @@ class Program(unittest.TestCase):
     def test_missing(self) -> None:
         with self.assertRaisesRegex(synovia.SynoviaError, "is no program"):
             synovia.use_program("/nowhere/synovia")
+
+    def test_where_it_is_looked_for(self) -> None:
+        with tempfile.TemporaryDirectory() as name:
+            build = pathlib.Path(name).resolve() / "build" / "miniapps"
+            below = build.parents[1] / "a" / "b"
+            build.mkdir(parents=True)
+            below.mkdir(parents=True)
+            (build / "synovia").touch(0o755)
+            for settings, found in (
+                    ({"SYNOVIA_PROGRAM": "/bin/true"}, "/bin/true"),
+                    ({"SYNOVIA_BUILD_DIR": str(build.parent)},
+                     str(build / "synovia")),
+                    ({"PATH": str(build)}, str(build / "synovia")),
+                    ({}, str(build / "synovia"))):
+                with self.subTest(settings), contextlib.chdir(below), \
+                        unittest.mock.patch.dict(
+                            os.environ, {"PATH": "/bin", **settings},
+                            clear=True):
+                    self.assertEqual(str(program()), found)
+            with unittest.mock.patch.dict(
+                    os.environ, {"SYNOVIA_PROGRAM": "/none"}), \
+                    self.assertRaisesRegex(synovia.SynoviaError,
+                                           "'/none' is no program"):
+                program()
 
 
 if __name__ == "__main__":

@@ -58,6 +58,13 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(result.warnings), 1)
         self.assertIn("0.1", result.warnings[0])
         self.assertEqual(result.line("lower", 250)["p"].shape, (16,))
+        self.assertEqual(result.lines["lower"], [250, 500])
+        np.testing.assert_array_equal(result.line("lower")["p"],
+                                      result.line("lower", 500)["p"])
+        self.assertEqual(set(result.fields), {"bodies", "contact_columns"})
+        self.assertEqual(result.fields["bodies"], [250, 500, 750, 1000])
+        self.assertEqual(result.case.solver.linear, "auto")
+        self.assertIn("step 40", result.log)
 
         mesh = result.mesh(500)
         self.assertEqual(mesh["fluid_pressure"].shape, (mesh.n_points,))
@@ -120,7 +127,7 @@ class Runs(unittest.TestCase):
             run.wait()
 
     def test_ctrl_c_and_resume(self) -> None:
-        whole = self.case.run(output=self.folder / "whole").history()
+        whole = self.case.run(output=self.folder / "whole").history
         self.case.time.step = 0.5
         for ranks in (1, 2):
             out = self.folder / f"stopped on {ranks}"
@@ -145,7 +152,7 @@ class Runs(unittest.TestCase):
             "backward_euler", "sdirk33"]}
         quantities = {"force": "contact.columns.force_z",
                       "peak": lambda result:
-                          result.history()["fluid.peak_pressure"].max()}
+                          result.history["fluid.peak_pressure"].max()}
         self.case.time.end = 3000
         self.case.time.step = 100
 
@@ -206,8 +213,8 @@ class Runs(unittest.TestCase):
         self.assertLess(at, 1000)
         synovia.sweep(self.case, {E: [0.5, 0.6]}, ["fluid.peak_pressure"],
                       table, processes=1)
-        self.assertIn(f"goes on from t = {at:g}", (
-            self.folder / "sweep" / "0000" / "run.log").read_text())
+        self.assertIn(f"goes on from t = {at:g}",
+                      synovia.Result(self.folder / "sweep" / "0000").log)
 
 
 if __name__ == "__main__":

@@ -80,7 +80,7 @@ class Curve:
         """
         from scipy.interpolate import PchipInterpolator
         t = result.t
-        values = (result.history()[self.quantity]
+        values = (result.history[self.quantity]
                   if isinstance(self.quantity, str) else
                   np.asarray(self.quantity(result), dtype=float))
         if values.shape != t.shape:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from synovia.output import OutputError, Table
+from synovia.output import Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -74,8 +74,6 @@ def profiles(tables: list[tuple[float, Table]], name: str, column: str,
              ax: Axes | None = None) -> Axes:
     """A column of a line, sampled at several times."""
     import matplotlib
-    if not tables:
-        raise OutputError(f"the line '{name}' was never sampled")
     ax = axes_or_new(ax)
     shades = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, len(tables)))
     for (t, table), color in zip(tables, shades):

@@ -21,6 +21,8 @@ ENVIRONMENT = {
     "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 
+IN_BUILD = "miniapps/synovia"
+
 _chosen: pathlib.Path | None = None
 
 
@@ -37,15 +39,20 @@ def program() -> pathlib.Path:
     """The program `synovia`.
 
     That of use_program(), of $SYNOVIA_PROGRAM, in the build directory
-    $SYNOVIA_BUILD_DIR, or in $PATH, whichever is first.
+    $SYNOVIA_BUILD_DIR, in $PATH, or in build/ of the working directory or one
+    above it, whichever is first.
     """
     if _chosen:
         return _chosen
     named = os.environ.get("SYNOVIA_PROGRAM")
     if not named and "SYNOVIA_BUILD_DIR" in os.environ:
-        named = os.path.join(os.environ["SYNOVIA_BUILD_DIR"], "miniapps",
-                             "synovia")
+        named = os.path.join(os.environ["SYNOVIA_BUILD_DIR"], IN_BUILD)
     found = shutil.which(named or "synovia")
+    if not found and not named:
+        here = pathlib.Path.cwd()
+        builds = [folder / "build" / IN_BUILD
+                  for folder in (here, *here.parents)]
+        found = next((str(file) for file in builds if file.exists()), None)
     if not found:
         where = f"'{named}' is no program" if named else \
             "there is no program 'synovia' in $PATH"

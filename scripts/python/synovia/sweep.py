@@ -98,4 +98,4 @@ def _value(result: Result | RunError, quantity: Quantity) -> float:
         return float("nan")
     if callable(quantity):
         return float(quantity(result))
-    return float(result.history()[quantity][-1])
+    return float(result.history[quantity][-1])
