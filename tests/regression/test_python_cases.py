@@ -99,6 +99,7 @@ class Cases(unittest.TestCase):
     def test_completion_and_docstrings(self) -> None:
         self.assertTrue({"material", "time", "run"} <= set(dir(self.case)))
         self.assertIn("from_", dir(self.case.output.line[0]))
+        self.assertIn("step", self.case.time._ipython_key_completions_())
         self.assertIn("number (time), required",
                       type(self.case.time).end.__doc__)
         self.assertIn("Poisson's ratio",

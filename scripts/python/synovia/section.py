@@ -9,6 +9,7 @@ from typing import Any
 
 from synovia.errors import CaseError, KeyNameError, suggestion
 from synovia.schema import Key, TableSchema
+from synovia.toml_text import value_text
 from synovia.values import plain, require_valid
 
 NAMES_OF_ENTRIES = ("name", "regions", "surfaces")
@@ -82,8 +83,10 @@ class Section:
                if not name.startswith("_") or name.startswith("__")]
         return sorted({*own, *map(_attribute, self._schema.names())})
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return self._schema.names()
+
     def __repr__(self) -> str:
-        from synovia.toml_text import value_text
         return value_text(as_values(self))
 
     def _set(self, name: str, value: Any) -> None:
