@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import pathlib
 import sys
@@ -20,9 +21,25 @@ import numpy as np  # noqa: E402
 
 from synovia.program import ENVIRONMENT, program  # noqa: E402
 from synovia.schema import parse, schema  # noqa: E402
+from synovia.toml_text import document  # noqa: E402
 
 SHIPPED = sorted(file for file in CASES.glob("*.toml")
                  if not file.name.endswith(".frames.toml"))
+
+
+class Toml(unittest.TestCase):
+    def test_values_come_back(self) -> None:
+        tables = [{"number": 1e-5, "large": 1e22, "whole": -2**62, "yes": True},
+                  {"text": 'a "b" \\ \x01 \x7f \n \u00e9 \U0001f9b4',
+                   "a key": [[1.5, 2], ["x"]], "empty": []}]
+        values = {"top": math.inf, "table": {"inner": {"a": [1]},
+                                             "list": tables},
+                  "tables": tables}
+        self.assertEqual(tomllib.loads(document(values)), values)
+
+    def test_what_is_no_value(self) -> None:
+        with self.assertRaisesRegex(TypeError, "NoneType is no type of TOML"):
+            document({"a": None})
 
 
 class Schema(unittest.TestCase):

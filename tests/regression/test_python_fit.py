@@ -10,8 +10,11 @@ from __future__ import annotations
 
 import math
 import pathlib
+import signal
 import sys
 import tempfile
+import threading
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
@@ -105,6 +108,21 @@ class Fits(unittest.TestCase):
         self.assertEqual(found.cases[1][PERMEABILITY], found["k"])
         self.assertEqual(cases[1][PERMEABILITY], KAPPA)
         self.assertEqual(len(found.plot().axes), 4)
+
+    def test_stopped(self) -> None:
+        case = self.case("confined_compression", "4", step=50)
+        t = np.array([250.0, 500.0, 750.0])
+        third = self.folder / "runs" / "0003" / "history.csv"
+
+        def interrupt() -> None:
+            while not third.exists():
+                time.sleep(0.01)
+            signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+        threading.Thread(target=interrupt, daemon=True).start()
+        with self.assertRaisesRegex(
+                synovia.Stopped, "E = 1, nu = 0.2, k = 0.001 came nearest"):
+            synovia.fit(case, Curve(t, -t, "reaction.top.z"), parameters(),
+                        processes=1, folder=self.folder / "runs")
 
     def test_what_is_wrong(self) -> None:
         case = self.case("confined_compression", "4", step=250)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from synovia.case import Case
-from synovia.errors import RunError, SynoviaError
+from synovia.errors import RunError, Stopped, SynoviaError
 from synovia.fitted import Fit
 from synovia.measured import Curve, Parameter
 from synovia.pool import Job, cores, run_all
@@ -39,7 +39,8 @@ def fit(case: Case | Sequence[Case],
     folder: keeps the runs' outputs.
 
     Raises SynoviaError where the first runs fail; a later one that does only
-    makes the search take shorter steps.
+    makes the search take shorter steps. Stopped, after Ctrl-C, has the values
+    that came nearest so far, to start from.
     """
     from scipy.optimize import least_squares
     cases, curves = _experiments(case, data)
@@ -57,6 +58,8 @@ def fit(case: Case | Sequence[Case],
                 bounds=model.bounds, x_scale="jac", ftol=tolerance,
                 xtol=1e-2 * tolerance, gtol=None, max_nfev=max_iterations)
             jacobian = model.jacobian(found.x)
+        except KeyboardInterrupt as stopped:
+            raise Stopped("stopped; " + model.nearest()) from stopped
         finally:
             model.line.close()
         return Fit(cases=model.cases_at(found.x), curves=curves,
@@ -99,6 +102,7 @@ class _Model:
                        for case in cases]
         self._originals = cases
         self._known: dict[bytes, np.ndarray] = {}
+        self._best: tuple[float, np.ndarray] | None = None
         self.start = np.array([p.inner(p.start) for p in parameters])
         self.bounds = (np.array([p.inner(p.lower) for p in parameters]),
                        np.array([p.inner(p.upper) for p in parameters]))
@@ -128,12 +132,18 @@ class _Model:
     def residuals(self, x: np.ndarray) -> np.ndarray:
         values = self.values(x)
         residuals = (values - self._measured) / self._scale
-        self.line.write(
-            ", ".join(f"{parameter.name} = {parameter.outer(value):.5g}"
-                      for parameter, value in zip(self.parameters, x))
-            + f": misfit {np.sqrt(np.mean(residuals**2)):.4g}, "
-            f"{self.runs} runs")
+        misfit = float(np.sqrt(np.mean(residuals**2)))
+        if self._best is None or misfit < self._best[0]:
+            self._best = misfit, x.copy()
+        self.line.write(f"{self._describe(x)}: misfit {misfit:.4g}, "
+                        f"{self.runs} runs")
         return residuals
+
+    def nearest(self) -> str:
+        """The values that came nearest so far, in words."""
+        if self._best is None:
+            return "no run has ended"
+        return f"{self._describe(self._best[1])} came nearest"
 
     def slopes(self, x: np.ndarray) -> np.ndarray:
         """The Jacobian by differences to one side, which the search needs."""
