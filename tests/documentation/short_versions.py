@@ -1,9 +1,10 @@
 """How the documentation's commands are made short for a test.
 
 Rule: a program gets options behind its own, which make its mesh as coarse as
-the program's tests have it, and its run a few long steps to the same end, in
-finite deformation with a tenth of the load. What can't run in a test is listed
-with its reason, and what stands in for it.
+the program's tests have it, a case's displacement linear, and its run a few long
+steps to the same end, in finite deformation with a tenth of the load. The
+command at the head of a case stops after the check if a README runs the same.
+What can't run in a test is listed with its reason, and what stands in for it.
 """
 
 from __future__ import annotations
@@ -17,9 +18,7 @@ import tomllib
 from commands import Block, DocumentationError, simple_commands
 
 CASES = pathlib.Path(__file__).resolve().parents[2] / "miniapps" / "cases"
-STEPS = 6       # of a run
-# End of the miniapps' runs (s); scripts/run without a case is the indentation.
-ENDS = {"indentation": 1500.0, "scripts/run": 1500.0}
+STEPS = 3       # of a case's run
 COARSE = {
     "boxes.py": "3", "glenohumeral.py": "2.5", "hertz.py": "1.5",
     "indentation.py": "3", "indentation_wedge.py": "4",
@@ -35,8 +34,11 @@ LIGHT = {
         "boundary.humeral_bone.displacement=[0, 0, "
         "{times = [0, 10], values = [0, -0.02]}]"}
 
-# Other options that make a program quick.
+# Other options that make a program quick; scripts/run without a case is the
+# indentation, whose pictures show what it is after 250 s.
 SMALL = {
+    "indentation": {"--step": "250", "--fields-every": "1"},
+    "scripts/run": {"--step": "250", "--fields-every": "1"},
     "knee": {"--step": "50", "--end": "50"},
     "scaling": {"--size": "2", "--steps": "1"},
     "partial_assembly": {"--size": "2"},
@@ -85,7 +87,7 @@ class ShortCommand:
     """A command, and what is run in its place: nothing if `why` says so."""
 
     def __init__(self, words: list[str], folder: pathlib.Path,
-                 image: pathlib.Path, place: str):
+                 image: pathlib.Path, place: str, only_check: bool = False):
         self.text = " ".join(words)
         self.why = NOT_RUN.get(self.text, "")
         self.program = ""
@@ -110,7 +112,8 @@ class ShortCommand:
             raise DocumentationError(
                 f"{place}: no short version of '{self.program}' is known; "
                 "tests/documentation/short_versions.py lists them")
-        self.short = " ".join(with_options(words, options))
+        self.short = " ".join(with_options(words, options)
+                              + ["--check"] * only_check)
 
 
 def launchers(words: list[str]) -> int:
@@ -141,22 +144,35 @@ def options_for(program: str, arguments: list[str], folder: pathlib.Path
     if program in AS_THEY_ARE or {"--list", "--dry-schema", "--version",
                                   "--help"} & set(arguments):
         return []
+    case = case_of(program, arguments)
+    if case:
+        return case_options(folder / case, arguments, program == "scripts/run")
     if program in SMALL:
         which = f"{program} --tables" if "--tables" in arguments else program
         return list(SMALL[which].items())
     if program in COARSE:
         return [("--size", COARSE[program])]
-    cases = [word for word in arguments if word.endswith(".toml")]
-    if program == "scripts/run" and arguments and not cases \
-            and not arguments[0].startswith("-"):
-        cases = [f"miniapps/cases/{arguments[0]}.toml"]
-    if program in ("synovia", "scripts/run") and cases:
-        return case_options(folder / cases[0], arguments,
-                            program == "scripts/run")
-    if program in ENDS:
-        return [("--step", f"{ENDS[program] / STEPS:g}"),
-                ("--fields-every", "1")]
     return None
+
+
+def case_of(program: str, arguments: list[str]) -> str | None:
+    """The case file that a command runs."""
+    if program not in ("synovia", "scripts/run") or not arguments:
+        return None
+    files = [word for word in arguments if word.endswith(".toml")]
+    if files:
+        return files[0]
+    if program == "scripts/run" and not arguments[0].startswith("-"):
+        return f"miniapps/cases/{arguments[0]}.toml"
+    return None
+
+
+def cases_run(blocks: list[Block]) -> set[str]:
+    """The case files that scripts/run runs to their end."""
+    found = (case_of(name_of(words[0]), words[1:]) for block in blocks
+             for words in simple_commands(block)
+             if words[0] == "scripts/run" and "--check" not in words)
+    return {case for case in found if case}
 
 
 def case_options(file: pathlib.Path, arguments: list[str],
@@ -168,6 +184,8 @@ def case_options(file: pathlib.Path, arguments: list[str],
                     in zip(arguments, arguments[1:]) if option == "--set")
     end = float(settings.get("time.end", case["time"]["end"]))
     options = [f"time.step={end / STEPS:g}", "output.fields_every=1"]
+    if "space.order" not in settings:
+        options.append("space.order=1")
     if file.name in LIGHT:
         options.append(LIGHT[file.name])
     if makes_mesh:
@@ -180,12 +198,13 @@ def case_options(file: pathlib.Path, arguments: list[str],
     return [("--set", option) for option in options]
 
 
-def shorten(block: Block, root: pathlib.Path,
-            image: pathlib.Path) -> list[ShortCommand]:
+def shorten(block: Block, root: pathlib.Path, image: pathlib.Path,
+            run_elsewhere: set[str]) -> list[ShortCommand]:
     commands = []
     folder = root
     for words in simple_commands(block):
-        commands.append(ShortCommand(words, folder, image, block.place))
+        commands.append(ShortCommand(words, folder, image, block.place,
+                                     block.file in run_elsewhere))
         if words[0] == "cd":
             folder = folder / words[1]
     return commands

@@ -75,16 +75,19 @@ def environment(root: pathlib.Path) -> dict[str, str]:
 class Shell:
     """Runs blocks in a copy of the sources, until one fails."""
 
-    def __init__(self, root: pathlib.Path, image: pathlib.Path):
+    def __init__(self, root: pathlib.Path, image: pathlib.Path,
+                 run_elsewhere: set[str]):
         make_copy(root)
         self.root = root
         self.image = image
+        self.run_elsewhere = run_elsewhere
         self.environment = environment(root)
         make_mesh("indentation.py", root / "build/meshes/indentation.msh",
                   "--size", short_versions.COARSE["indentation.py"])
 
     def __call__(self, block: Block) -> list[ShortCommand]:
-        short = short_versions.shorten(block, self.root, self.image)
+        short = short_versions.shorten(block, self.root, self.image,
+                                       self.run_elsewhere)
         wanted = [command for command in short if command.short is not None]
         script = "".join(f"echo {shlex.quote(MARK + command.text)}\n"
                          f"{command.short}\n" for command in wanted)
@@ -108,12 +111,16 @@ class Shell:
 
 
 def run_all(root: pathlib.Path, blocks: list[Block], image: pathlib.Path,
-            fresh: bool) -> list[ShortCommand]:
-    """Runs blocks one after the other, without each other's output if fresh."""
-    shell = Shell(root, image)
+            run_elsewhere: set[str] | None = None) -> list[ShortCommand]:
+    """Runs blocks one after the other.
+
+    Those that are not READMEs find no output of each other, and only check the
+    cases that run elsewhere.
+    """
+    shell = Shell(root, image, run_elsewhere or set())
     short = []
     for block in blocks:
-        if fresh:
+        if run_elsewhere is not None:
             shutil.rmtree(root / "out", ignore_errors=True)
         short += shell(block)
     return short
@@ -139,8 +146,7 @@ def check_tables(all_short: list[ShortCommand]) -> None:
         check(text in texts, f"listed, {why}: {text}")
     programs = {command.program for command in all_short}
     for table in (short_versions.INSTEAD, short_versions.SMALL,
-                  short_versions.COARSE, short_versions.ENDS,
-                  short_versions.AS_THEY_ARE):
+                  short_versions.COARSE, short_versions.AS_THEY_ARE):
         for program in table:
             check(program.split()[0] in programs, f"listed: {program}")
     for case in short_versions.LIGHT:
@@ -161,8 +167,9 @@ def main() -> None:
         read = [b for b in blocks if b.file.endswith("README.md")]
         others = [b for b in blocks if b not in read]
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            runs = [pool.submit(run_all, folder / "read", read, image, False),
-                    pool.submit(run_all, folder / "run", others, image, True)]
+            runs = [pool.submit(run_all, folder / "read", read, image),
+                    pool.submit(run_all, folder / "run", others, image,
+                                short_versions.cases_run(read))]
             from_readmes, short = (run.result() for run in runs)
     if not only:
         check(len(from_readmes) == count_lines(),

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Wrong input, full disks and Ctrl-C: what the indentation miniapp says.
 
 Every wrong input must end with a status other than zero, soon, and with one

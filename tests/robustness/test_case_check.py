@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Damaged case files and wrong options, through the program itself.
 
 Each ends soon, with exit status 1 and one message on standard error that says

@@ -10,6 +10,7 @@ on with a higher limit to the results of a run without one.
 
 from __future__ import annotations
 
+import os
 import pathlib
 import re
 import subprocess
@@ -20,7 +21,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish, history, make_mesh)
+    MPIEXEC, PROGRAMS, SOURCE, WITHOUT_WAITING, check, finish, history,
+    make_mesh)
 
 STEP, HALF, END = 20.0, 100.0, 200.0
 FORCE = "contact.columns.force_z"
@@ -44,7 +46,8 @@ class Case:
              "--set", "output.checkpoint_every=1",
              "--set", "output.fields_every=0", "--set", "output.line=[]",
              "--output", output, *more],
-            text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            env=os.environ | WITHOUT_WAITING)
 
 
 def same(some: pathlib.Path, others: pathlib.Path) -> float:

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Options of the miniapps out of range: what they say, before any work.
 
 Each names the option, what it was given and what it may be, and exits with 1;

@@ -27,7 +27,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, descendants, finish, history, make_mesh)
+    MPIEXEC, PROGRAMS, SOURCE, WITHOUT_WAITING, check, descendants, finish,
+    history, make_mesh)
 
 import h5py  # noqa: E402
 
@@ -57,7 +58,8 @@ class Runs:
                  **more) -> subprocess.CompletedProcess:
         return subprocess.run(self.command(*arguments, **more), text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              cwd=self.directory, env=env, timeout=120)
+                              cwd=self.directory, timeout=120,
+                              env=os.environ | WITHOUT_WAITING | (env or {}))
 
     def good(self, what: str, *arguments, **more) -> str:
         result = self(*arguments, **more)
@@ -171,7 +173,7 @@ def without_locks(run: Runs) -> None:
     subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source],
                    check=True)
     said = run.good("a run where there are no locks", 2, "unlocked", end=4.0,
-                    env=os.environ | {"LD_PRELOAD": str(library)})
+                    env={"LD_PRELOAD": str(library)})
     check(said.count("warning: 'unlocked' can't be locked: No locks available")
           == 1, "warns of it")
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """scripts/run, scripts/run_python, options of scripts/test.
 
 Meshes of a case are made when they have to be, by our scripts only and to

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Which builds of MFEM will do, and what is said of the others.
 
 Requirements: MPI and METIS, double precision, and MUMPS or SuiteSparse; one of

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Tests of the knee's mesh generators."""
 
 import contextlib

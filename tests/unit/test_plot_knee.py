@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Tests of scripts/plot_knee.py, on an output made up of boxes."""
 
 import contextlib

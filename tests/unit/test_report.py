@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Tests of scripts/report.py, on outputs made up, whole and damaged."""
 
 import base64
