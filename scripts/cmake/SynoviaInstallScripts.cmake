@@ -22,7 +22,7 @@ install(DIRECTORY scripts/lib DESTINATION ${synovia_data_dir}/scripts
 # install from there.
 install(DIRECTORY scripts/python DESTINATION ${synovia_data_dir}/scripts
   FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "*.toml"
-  PATTERN "*.md" PATTERN "*.ipynb" PATTERN "__pycache__" EXCLUDE)
+  PATTERN "*.md" PATTERN "*.ipynb" PATTERN "*.png" PATTERN "__pycache__" EXCLUDE)
 # What the plots compare with.
 install(DIRECTORY tests/reference DESTINATION ${synovia_data_dir}/tests
   FILES_MATCHING PATTERN "*.csv")

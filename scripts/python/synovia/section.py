@@ -222,7 +222,7 @@ _classes: dict[int, type[Section]] = {}
 def class_of(schema: TableSchema, base: type[Section] = Section
              ) -> type[Section]:
     """A class whose attributes are the table's keys, with docstrings."""
-    # By identity: a schema lives as long as the process.
+    # By identity, which lasts: a class keeps its schema.
     known = _classes.get(id(schema))
     if known is not None and issubclass(known, base):
         return known
