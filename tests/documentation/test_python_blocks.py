@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Every Python block of the READMEs runs.
 
 Requirements: the blocks of one README run one after the other, as they are, in

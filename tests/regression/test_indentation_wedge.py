@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Axisymmetric indentations on a wedge of one element.
 
 Requirements: the angle of the wedge doesn't matter, and springs hold its second

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Cases of the Python package: read, changed, checked and written."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """pip install ./scripts/python: the package and its types come along."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Runs of the Python package: results, plots, Ctrl-C, resume, sweeps."""
 
 from __future__ import annotations
