@@ -6,6 +6,7 @@ import dataclasses
 import io
 import os
 import pathlib
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -63,8 +64,11 @@ def draw(grid: pyvista.UnstructuredGrid, field: str,
     shown: dict[str, Any] = {"cmap": "viridis", "ambient": 0.45,
                              "diffuse": 0.6, "scalar_bar_args": bar, **look}
     # Edges of the parts into which curved faces are split are nobody's.
-    surface = grid.extract_surface(
-        nonlinear_subdivision=0 if shown.get("show_edges") else 2)
+    with warnings.catch_warnings():
+        # Newer versions ask for an argument that older ones don't know.
+        warnings.filterwarnings("ignore", message=".*value of `algorithm`")
+        surface = grid.extract_surface(
+            nonlinear_subdivision=0 if shown.get("show_edges") else 2)
     plotter.add_mesh(surface, scalars=title, **shown)
     plotter.add_text(title, position="upper_right", font_size=12,
                      color="black")

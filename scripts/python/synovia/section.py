@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import keyword
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
@@ -228,7 +229,8 @@ def class_of(schema: TableSchema, base: type[Section] = Section
         return known
     members: dict[str, Any] = {
         "_schema": schema, "__module__": __name__,
-        "__doc__": (base.__doc__ or "") + "\n\n" + schema.describe()}
+        "__doc__": inspect.cleandoc(base.__doc__ or "") + "\n\n"
+        + schema.describe()}
     for name in schema.names():
         members[_attribute(name)] = _property(name, schema)
     title = "".join(part.capitalize() for part in
