@@ -87,12 +87,44 @@ real_t AugmentedLagrangian::TouchingGap() const
                                  : gap_tolerance;
 }
 
-bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
+real_t AugmentedLagrangian::GapStiffness(int vertex,
+                                         ContactStiffness stiffness) const
+{
+   const real_t penalty = penalties.Gap()[vertex];
+   switch (stiffness)
+   {
+   case ContactStiffness::none:
+      return 0.0;
+   case ContactStiffness::bodies:
+      return std::min(penalty, penalties.Resistance()[vertex]);
+   default:
+      return penalty;
+   }
+}
+
+real_t AugmentedLagrangian::JumpStiffness(int vertex,
+                                          ContactStiffness stiffness) const
+{
+   const real_t penalty = penalties.Jump()[vertex];
+   switch (stiffness)
+   {
+   case ContactStiffness::none:
+      return 0.0;
+   case ContactStiffness::bodies:
+      return std::min(penalty, penalties.Conductance()[vertex]);
+   default:
+      return penalty;
+   }
+}
+
+bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
+                                          ContactStiffness stiffness)
 {
    const Vector &area = constraint.Coverage().area;
    const Vector &own_area = constraint.Coverage().own_area;
-   const Vector &penalty = penalties.Gap();
-   const Vector &resistance = penalties.Resistance();
+   // A predicted gap is off by more than what penetrates.
+   const ContactStiffness trial_stiffness =
+      phase == Phase::prediction ? ContactStiffness::bodies : stiffness;
    const real_t touching = rule == TouchRule::nearness
                               ? TouchingGap()
                               : -std::numeric_limits<real_t>::infinity();
@@ -101,18 +133,12 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
    {
       const VertexContact before = state.vertices[j];
       VertexContact &vertex = state.vertices[j];
-      // A predicted gap is off by more than what penetrates.
-      const real_t stiffness = phase == Phase::prediction
-                                  ? std::min(penalty[j], resistance[j])
-                                  : penalty[j];
-      const real_t trial = FrictionlessLaw::Traction(state.multiplier[j],
-                                                     stiffness, state.gap[j]);
+      const real_t trial = FrictionlessLaw::Traction(
+         state.multiplier[j], GapStiffness(j, trial_stiffness), state.gap[j]);
       vertex.touches =
          area[j] > 0.0 &&
          (FrictionlessLaw::Bears(trial) || state.gap[j] <= touching ||
           (phase == Phase::augmentation && before.touches));
-      vertex.settled =
-         vertex.touches && before.touches && phase != Phase::prediction;
       vertex.seals = area[j] > 0.0 &&
                      own_area[j] > tuning.sealing_coverage * vertex_areas[j] &&
                      (vertex.touches || state.gap[j] < gap_tolerance ||
@@ -120,7 +146,8 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
       vertex.seal_broke = before.seal_broke || (before.seals && !vertex.seals);
       changed = changed || vertex.touches != before.touches ||
                 vertex.seals != before.seals;
-      state.gap_weights[j] = vertex.touches ? area[j] * penalty[j] : 0.0;
+      state.gap_weights[j] =
+         vertex.touches ? area[j] * penalties.Gap()[j] : 0.0;
       state.jump_weights[j] =
          Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
    }
@@ -129,38 +156,46 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule)
    return AnyRank(changed, destination.Spaces().GetComm());
 }
 
-void AugmentedLagrangian::UpdateTractions()
+void AugmentedLagrangian::UpdateTractions(ContactStiffness stiffness)
 {
    for (int j = 0; j < state.gap.Size(); j++)
    {
       state.traction[j] =
          state.vertices[j].touches
-            ? FrictionlessLaw::Traction(state.multiplier[j], penalties.Gap()[j],
-                                        state.gap[j])
+            ? FrictionlessLaw::Traction(
+                 state.multiplier[j], GapStiffness(j, stiffness), state.gap[j])
             : 0.0;
       state.flux[j] =
          Exchanges(j)
             ? FrictionlessLaw::Flux(state.flux_multiplier[j],
-                                    penalties.Jump()[j], state.jump[j])
+                                    JumpStiffness(j, stiffness), state.jump[j])
             : 0.0;
    }
 }
 
-Vector AugmentedLagrangian::LinearizationTraction() const
+MultiplierStep
+AugmentedLagrangian::FindMultiplierStep(const Vector &gap_change,
+                                        const Vector &jump_change) const
 {
-   Vector traction(state.traction);
-   for (int j = 0; j < traction.Size(); j++)
+   MultiplierStep step{Vector(state.gap.Size()), Vector(state.gap.Size())};
+   for (int j = 0; j < state.gap.Size(); j++)
    {
-      if (state.vertices[j].touches && !state.vertices[j].settled)
-      {
-         const real_t stiffness =
-            std::min(penalties.Gap()[j], penalties.Resistance()[j]);
-         traction[j] = std::min<real_t>(
-            0.0, FrictionlessLaw::Traction(state.multiplier[j], stiffness,
-                                           state.gap[j]));
-      }
+      step.traction[j] =
+         state.vertices[j].touches
+            ? penalties.Gap()[j] * (state.gap[j] + gap_change[j])
+            : -state.multiplier[j];
+      step.flux[j] = Exchanges(j)
+                        ? penalties.Jump()[j] * (state.jump[j] + jump_change[j])
+                        : -state.flux_multiplier[j];
    }
-   return traction;
+   return step;
+}
+
+void AugmentedLagrangian::AddToMultipliers(real_t share,
+                                           const MultiplierStep &step)
+{
+   state.multiplier.Add(share, step.traction);
+   state.flux_multiplier.Add(share, step.flux);
 }
 
 ContactViolations AugmentedLagrangian::FindViolations() const

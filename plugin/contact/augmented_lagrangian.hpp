@@ -18,6 +18,17 @@ enum class TouchRule
    nearness
 };
 
+/// What gaps and jumps count beside the multipliers in tractions and fluxes.
+enum class ContactStiffness
+{
+   /// Nothing: tractions and fluxes are the multipliers.
+   none,
+   /// As much as the bodies resist.
+   bodies,
+   /// The penalties, a hundred times as much.
+   penalty
+};
+
 /// What augmentations have to make small, over all ranks.
 struct ContactViolations
 {
@@ -25,6 +36,16 @@ struct ContactViolations
    mfem::real_t penetration = 0.0;
    /// Largest jump of what exchanges fluid (stress).
    mfem::real_t pressure_jump = 0.0;
+};
+
+/// Change of the multipliers of each of this rank's vertices of the
+/// destination.
+struct MultiplierStep
+{
+   /// Stress.
+   mfem::Vector traction;
+   /// Length / time.
+   mfem::Vector flux;
 };
 
 /// Enforces a constraint by penalties and multipliers: in contact the traction
@@ -67,15 +88,18 @@ public:
    /// that broke with every tensile vertex would not let Newton's method
    /// settle. Nor would one that breaks and closes with the fluid's pressure
    /// again and again: in a stage each may break once. Collective; true if any
-   /// rank's set changed.
-   bool UpdateActiveSet(TouchRule rule = TouchRule::traction);
+   /// rank's set changed. Trial tractions are those of @a stiffness.
+   bool UpdateActiveSet(TouchRule rule = TouchRule::traction,
+                        ContactStiffness stiffness = ContactStiffness::penalty);
    /// Traction and flux from the last gaps, of the active set as it is.
-   void UpdateTractions();
-   /// The traction that the derivatives of nodal forces are to be taken for: of
-   /// vertices that have just come into contact no more than the bodies'
-   /// resistance to their gaps. Penalties are a hundred times as stiff, and
-   /// tractions above the shear modulus make surfaces buckle.
-   mfem::Vector LinearizationTraction() const;
+   void UpdateTractions(ContactStiffness stiffness = ContactStiffness::penalty);
+   /// How multipliers change by a Newton step that changes gaps and jumps like
+   /// this: to what bears, or exchanges, with penalties after the step, else to
+   /// zero.
+   MultiplierStep FindMultiplierStep(const mfem::Vector &gap_change,
+                                     const mfem::Vector &jump_change) const;
+   /// Adds a part of it.
+   void AddToMultipliers(mfem::real_t share, const MultiplierStep &step);
    /// Collective.
    ContactViolations FindViolations() const;
    /// @a peak_pressure as found on all ranks (stress).
@@ -85,10 +109,11 @@ public:
    /// UpdateActiveSet() releases nothing: a multiplier that is corrected by
    /// more than itself would else let go of all at once.
    void Augment();
-   /// To be called with each augmentation: raises the penalty of what is out of
-   /// tolerance and has hardly become smaller since the last one. Penalties
-   /// derived from the drained stiffness are too soft where a thin layer is
-   /// loaded at once, and holds its fluid. Says whether it did.
+   /// To be called with each augmentation, before UpdateActiveSet(): raises the
+   /// penalty of what is out of tolerance and has hardly become smaller since
+   /// the last one. Penalties derived from the drained stiffness are too soft
+   /// where a thin layer is loaded at once, and holds its fluid. Says whether
+   /// it did.
    bool StiffenIfSlow(const ContactViolations &violations,
                       mfem::real_t peak_pressure);
    /// Keeps traction and flux as the multipliers reached at @a time.
@@ -122,6 +147,10 @@ private:
    };
 
    mfem::real_t TouchingGap() const;
+   /// Of a vertex (stress / length).
+   mfem::real_t GapStiffness(int vertex, ContactStiffness stiffness) const;
+   /// Of a vertex (length / time / stress).
+   mfem::real_t JumpStiffness(int vertex, ContactStiffness stiffness) const;
    void TakeMultipliers();
 
    ContactConstraint &constraint;

@@ -73,7 +73,7 @@ bool ContactPair::Linearize(const Vector &p)
    const Vector &area = constraint->Coverage().area;
    Vector nodal_force(area);
    Vector nodal_flow(area);
-   nodal_force *= enforcement.LinearizationTraction();
+   nodal_force *= State().traction;
    nodal_flow *= State().flux;
    return constraint->Linearize(p, nodal_force, nodal_flow);
 }
@@ -117,6 +117,23 @@ void ContactPair::AddForces(Vector &momentum, Vector &mass) const
    factors.jump->MultTranspose(nodal_flux, outflow);
    momentum -= force;
    mass += outflow;
+}
+
+MultiplierStep ContactPair::FindMultiplierStep(const Vector &du,
+                                               const Vector &dp) const
+{
+   const ContactFactors factors = constraint->Factors();
+   Vector gap_change(factors.gap->Height());
+   Vector jump_change(factors.jump->Height());
+   factors.gap_change->Mult(du, gap_change);
+   factors.jump->Mult(dp, jump_change);
+   if (factors.jump_change)
+   {
+      factors.jump_change->Mult(1.0, du, 1.0, jump_change);
+   }
+   gap_change.HostRead();
+   jump_change.HostRead();
+   return enforcement.FindMultiplierStep(gap_change, jump_change);
 }
 
 void ContactPair::AddMagnitudes(const Vector &u, const Vector &p,

@@ -63,6 +63,10 @@ public:
    /// vectors of absolute values: what round-off is relative to. Collective.
    void AddMagnitudes(const mfem::Vector &u, const mfem::Vector &p,
                       mfem::Vector &momentum, mfem::Vector &mass) const;
+   /// How the multipliers change by a Newton step of displacement and pressure
+   /// (true dofs). Collective.
+   MultiplierStep FindMultiplierStep(const mfem::Vector &du,
+                                     const mfem::Vector &dp) const;
    /// Of the linearized equations at the last UpdateActiveSet(). Searched.
    ContactFactors Factors() const;
 

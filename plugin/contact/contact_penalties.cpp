@@ -12,7 +12,7 @@ ContactPenalties::ContactPenalties(const ContactOptions &options_,
                                    const Vector &vertex_areas_)
    : options(options_), scales(scales_), vertex_areas(vertex_areas_)
 {
-   for (Vector *v : {&gap, &jump, &resistance, &area_resistance})
+   for (Vector *v : {&gap, &jump, &resistance, &area_resistance, &conductance})
    {
       v->SetSize(vertex_areas.Size());
       *v = 0.0;
@@ -43,14 +43,16 @@ void ContactPenalties::Update(const ContactCoverage &coverage,
       // As stiff on the whole where the source covers only a part.
       resistance[j] = area > 0.0 ? modulus / h * vertex_areas[j] / area : 0.0;
       area_resistance[j] = area * resistance[j];
-      if (area > 0.0 && options.penalty == 0.0)
+      conductance[j] =
+         area > 0.0 ? scales.least_permeability / h + h / (modulus * time_step)
+                    : 0.0;
+      if (options.penalty == 0.0)
       {
          gap[j] = stiffening.gap * options.penalty_factor * resistance[j];
       }
-      if (area > 0.0 && options.pressure_penalty == 0.0)
+      if (options.pressure_penalty == 0.0)
       {
-         jump[j] = stiffening.jump * options.penalty_factor *
-                   (scales.least_permeability / h + h / (modulus * time_step));
+         jump[j] = stiffening.jump * options.penalty_factor * conductance[j];
       }
    }
 }

@@ -37,6 +37,9 @@ public:
    /// with the area (force / length).
    const mfem::Vector &Resistance() const { return resistance; }
    const mfem::Vector &AreaResistance() const { return area_resistance; }
+   /// Flux that the bodies take up for a pressure at a vertex (length / time /
+   /// stress).
+   const mfem::Vector &Conductance() const { return conductance; }
 
 private:
    ContactOptions options;
@@ -47,6 +50,7 @@ private:
    mfem::Vector jump;
    mfem::Vector resistance;
    mfem::Vector area_resistance;
+   mfem::Vector conductance;
 };
 
 } // namespace synovia

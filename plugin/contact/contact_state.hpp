@@ -15,9 +15,6 @@ struct VertexContact
 {
    /// It bears traction; its gap is to close.
    bool touches = false;
-   /// It touched before the last decision, too, so that its traction is one
-   /// that an iteration found, not the penalty of a gap that nothing closed.
-   bool settled = false;
    /// Nothing drains there: what leaves one surface enters the other.
    bool seals = false;
    /// It sealed in this stage, and then did not.

@@ -44,7 +44,8 @@ void StageContact::Search(const ImplicitStage &stage)
    }
 }
 
-bool StageContact::SearchDrifted(ImplicitStage &stage)
+bool StageContact::SearchDrifted(ImplicitStage &stage,
+                                 ContactStiffness stiffness)
 {
    bool drifted = false;
    for (ContactPair *pair : pairs)
@@ -55,19 +56,19 @@ bool StageContact::SearchDrifted(ImplicitStage &stage)
    {
       Search(stage);
       equations.EvaluateContact(stage);
-      Update(stage);
+      Update(stage, stiffness);
       equations.UpdateDrainedDofs(stage);
    }
    return drifted;
 }
 
-bool StageContact::Update(ImplicitStage &stage)
+bool StageContact::Update(ImplicitStage &stage, ContactStiffness stiffness)
 {
    bool changed = false;
    unsettled.clear();
    for (ContactPair *pair : pairs)
    {
-      if (pair->Enforcement().UpdateActiveSet())
+      if (pair->Enforcement().UpdateActiveSet(TouchRule::traction, stiffness))
       {
          changed = true;
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();
@@ -122,6 +123,44 @@ StageContact::FindViolations(const ImplicitStage &stage) const
          violations.within_tolerance;
    }
    return violations;
+}
+
+bool StageContact::Augment(const Violations &violations)
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().Augment();
+   }
+   return StiffenIfSlow(violations);
+}
+
+bool StageContact::StiffenIfSlow(const Violations &violations)
+{
+   bool stiffened = false;
+   for (std::size_t i = 0; i < pairs.size(); i++)
+   {
+      stiffened = pairs[i]->Enforcement().StiffenIfSlow(
+                     violations.pairs[i], violations.peak_pressure) ||
+                  stiffened;
+   }
+   return stiffened;
+}
+
+bool StageContact::FailIterations(int iterations)
+{
+   const std::string count = std::to_string(iterations) + " iterations";
+   return record.report.Fail(
+      unsettled.empty() ? "Newton's method did not converge in " + count
+                        : "the contact's active set did not settle in " +
+                             count + ": " + unsettled);
+}
+
+void StageContact::SetTractions(ContactStiffness stiffness)
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().UpdateTractions(stiffness);
+   }
 }
 
 } // namespace synovia

@@ -37,17 +37,27 @@ public:
    /// Searches, and decides by @a rule what touches at the first guess of the
    /// stage.
    void Start(ImplicitStage &stage, TouchRule rule);
-   /// Decides anew what touches, from the gaps as they were evaluated last;
-   /// says whether anything changed.
-   bool Update(ImplicitStage &stage);
+   /// Decides anew what touches, from the gaps as they were evaluated last and
+   /// trial tractions of @a stiffness; says whether anything changed.
+   bool Update(ImplicitStage &stage, ContactStiffness stiffness);
    /// Lets pairs search anew whose points have gone to other partners, and
    /// updates them; says whether any did.
-   bool SearchDrifted(ImplicitStage &stage);
+   bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness);
    Violations FindViolations(const ImplicitStage &stage) const;
 
+   /// Takes the tractions over as multipliers, and raises penalties that are
+   /// too soft; says whether it raised any.
+   bool Augment(const Violations &violations);
+   /// Raises the penalties of what is out of tolerance and has hardly become
+   /// smaller since the last time; says whether it raised any.
+   bool StiffenIfSlow(const Violations &violations);
+   /// Takes tractions and fluxes from the gaps as they were evaluated last.
+   void SetTractions(ContactStiffness stiffness);
+
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
-   /// Names of the pairs whose active set the last Update() changed.
-   const std::string &Unsettled() const { return unsettled; }
+   /// Fails for so many iterations, with the pairs whose active set the last
+   /// Update() changed.
+   bool FailIterations(int iterations);
 
 private:
    void Search(const ImplicitStage &stage);
@@ -61,6 +71,7 @@ private:
    StageEquations &equations;
    BiphasicLinearSolver &linear;
    SolveRecord &record;
+   /// Names of the pairs whose active set the last Update() changed.
    std::string unsettled;
 };
 

@@ -85,16 +85,9 @@ const Array<int> &StageEquations::DrainedDofs() const
    return jacobian->PressureDofs();
 }
 
-void StageEquations::ComputeImbalance(const ImplicitStage &stage,
-                                      Vector &momentum, Vector &mass) const
+void StageEquations::ComputeBodyImbalance(const ImplicitStage &stage,
+                                          Vector &momentum, Vector &mass) const
 {
-   Vector loads(stage.momentum_load);
-   Vector exchange(stage.p.Size());
-   exchange = 0.0;
-   for (const ContactPair *pair : pairs)
-   {
-      pair->AddForces(loads, exchange);
-   }
    if (stage.from_start)
    {
       bodies->MultFromStart(stage, momentum, mass);
@@ -103,24 +96,51 @@ void StageEquations::ComputeImbalance(const ImplicitStage &stage,
    {
       bodies->Mult(stage, momentum, mass);
    }
+   momentum -= stage.momentum_load;
+   mass.Add(-stage.dt, stage.mass_load);
+}
+
+void StageEquations::AddContactImbalance(const ImplicitStage &stage,
+                                         Vector &momentum, Vector &mass) const
+{
+   Vector loads(stage.u.Size());
+   Vector exchange(stage.p.Size());
+   loads = 0.0;
+   exchange = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      pair->AddForces(loads, exchange);
+   }
    momentum -= loads;
    mass.Add(stage.dt, exchange);
-   mass.Add(-stage.dt, stage.mass_load);
    // Sums over supports and drained surfaces are taken on the host.
    momentum.HostReadWrite();
    mass.HostReadWrite();
+}
+
+void StageEquations::ComputeImbalance(const ImplicitStage &stage,
+                                      Vector &momentum, Vector &mass) const
+{
+   ComputeBodyImbalance(stage, momentum, mass);
+   AddContactImbalance(stage, momentum, mass);
+}
+
+void StageEquations::MakeResidual(const ImplicitStage &stage,
+                                  BlockVector &imbalance) const
+{
+   imbalance.GetBlock(0).Neg();
+   imbalance.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
+   rigid.Collect(imbalance.GetBlock(0));
+   rigid.AddForces(stage.time, imbalance.GetBlock(0));
+   imbalance.GetBlock(1).SetSubVector(DrainedDofs(), 0.0);
+   imbalance.SyncFromBlocks();
 }
 
 void StageEquations::ComputeResidual(const ImplicitStage &stage,
                                      BlockVector &residual) const
 {
    ComputeImbalance(stage, residual.GetBlock(0), residual.GetBlock(1));
-   residual.GetBlock(0).Neg();
-   residual.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
-   rigid.Collect(residual.GetBlock(0));
-   rigid.AddForces(stage.time, residual.GetBlock(0));
-   residual.GetBlock(1).SetSubVector(DrainedDofs(), 0.0);
-   residual.SyncFromBlocks();
+   MakeResidual(stage, residual);
 }
 
 StageBalance StageEquations::Balance(const ImplicitStage &stage) const

@@ -77,6 +77,15 @@ public:
    /// evaluated last.
    void ComputeImbalance(const ImplicitStage &stage, mfem::Vector &momentum,
                          mfem::Vector &mass) const;
+   /// The part of it that has nothing of contact.
+   void ComputeBodyImbalance(const ImplicitStage &stage, mfem::Vector &momentum,
+                             mfem::Vector &mass) const;
+   /// Adds the part that is the contact's, as it was evaluated last.
+   void AddContactImbalance(const ImplicitStage &stage, mfem::Vector &momentum,
+                            mfem::Vector &mass) const;
+   /// Makes the residual of what is missing for balance.
+   void MakeResidual(const ImplicitStage &stage,
+                     mfem::BlockVector &imbalance) const;
    /// Of the contact as it was evaluated last.
    void ComputeResidual(const ImplicitStage &stage,
                         mfem::BlockVector &residual) const;

@@ -1,6 +1,7 @@
 #include "synovia/physics/stage_solver.hpp"
 #include "synovia/general/phase_timer.hpp"
-#include "synovia/general/text.hpp"
+#include "synovia/physics/augmented_newton.hpp"
+#include "synovia/physics/primal_dual_newton.hpp"
 
 namespace synovia
 {
@@ -24,39 +25,36 @@ StageSolver::StageSolver(const std::vector<Body> &bodies,
                          BiphasicSpaces &spaces, BoundaryConditions &conditions,
                          const std::vector<ContactPair *> &pairs_,
                          const FirstApproach &start, StageEquations &equations_,
-                         const NonlinearOptions &options_, SolveRecord &record_)
-   : pairs(pairs_), equations(equations_), options(options_), record(record_),
+                         const NonlinearOptions &options, SolveRecord &record_)
+   : pairs(pairs_), equations(equations_), record(record_),
      freedoms(bodies, spaces, conditions),
      linear(MakeLinearSolver(equations, spaces, options, record.times)),
      rule(spaces, conditions, pairs, equations,
           options.linear.relative_tolerance),
      contact(spaces.GetComm(), pairs, start.pushed, equations, linear, record),
-     newton(spaces, equations, contact, freedoms, rule, linear, options, record)
+     direction(spaces, equations, pairs, freedoms, linear, record)
 {
+   if (equations.Bodies().IsLinear())
+   {
+      method = std::make_unique<AugmentedNewton>(
+         spaces, equations, contact, rule, direction, linear, options, record);
+   }
+   else
+   {
+      method = std::make_unique<PrimalDualNewton>(
+         spaces, equations, contact, rule, direction, linear, options, record);
+   }
 }
 
 bool StageSolver::Solve(ImplicitStage &stage, TouchRule touch)
 {
-   newton.LinearizeStart(stage);
+   direction.LinearizeStart(stage);
    equations.SetTimeStep(stage.dt);
    contact.Start(stage, touch);
    ResidualTolerance tolerance = rule.Find(stage, linear.ForcePerVolume());
-   for (int augmentation = 0;; augmentation++)
+   if (!method->Solve(stage, tolerance))
    {
-      StageContact::Violations violations;
-      if (!SolveSliding(stage, tolerance, violations))
-      {
-         return false;
-      }
-      if (violations.within_tolerance)
-      {
-         break;
-      }
-      if (augmentation == options.max_augmentations)
-      {
-         return FailAugmentations(violations);
-      }
-      Augment(stage, tolerance, violations);
+      return false;
    }
    // Residuals may be forces of contact that bears nothing.
    constexpr real_t bears = 100.0;
@@ -71,66 +69,6 @@ bool StageSolver::Solve(ImplicitStage &stage, TouchRule touch)
       pair->Enforcement().Store(stage.time);
    }
    return true;
-}
-
-bool StageSolver::SolveSliding(ImplicitStage &stage,
-                               ResidualTolerance &tolerance,
-                               StageContact::Violations &violations)
-{
-   for (int search = 0;; search++)
-   {
-      if (!newton.Solve(stage, tolerance, violations))
-      {
-         return false;
-      }
-      if (!equations.Bodies().IsLinear() && !violations.within_tolerance)
-      {
-         return true;
-      }
-      // Points near an edge may go back and forth.
-      if (search == options.tuning.newton.max_searches ||
-          !contact.SearchDrifted(stage))
-      {
-         return true;
-      }
-   }
-}
-
-void StageSolver::Augment(ImplicitStage &stage, ResidualTolerance &tolerance,
-                          const StageContact::Violations &violations)
-{
-   bool stiffened = false;
-   for (std::size_t i = 0; i < pairs.size(); i++)
-   {
-      AugmentedLagrangian &enforcement = pairs[i]->Enforcement();
-      enforcement.Augment();
-      stiffened = enforcement.StiffenIfSlow(violations.pairs[i],
-                                            violations.peak_pressure) ||
-                  stiffened;
-   }
-   contact.Update(stage);
-   if (stiffened)
-   {
-      // Larger penalties make more round-off.
-      tolerance = rule.Find(stage, linear.ForcePerVolume());
-   }
-   record.report.augmentations++;
-}
-
-bool StageSolver::FailAugmentations(const StageContact::Violations &violations)
-{
-   std::string left;
-   for (std::size_t i = 0; i < pairs.size(); i++)
-   {
-      left += "; " + pairs[i]->Name() + ": gap " +
-              ToText(violations.pairs[i].penetration) + " (tolerance " +
-              ToText(pairs[i]->Scales().gap_tolerance) + "), pressure jump " +
-              ToText(violations.pairs[i].pressure_jump) + " (peak pressure " +
-              ToText(violations.peak_pressure) + ")";
-   }
-   return record.report.Fail("gap or pressure jump out of tolerance after " +
-                             std::to_string(options.max_augmentations) +
-                             " augmentations" + left);
 }
 
 } // namespace synovia

@@ -1,16 +1,20 @@
 #pragma once
 
-#include "synovia/physics/biphasic_newton_solver.hpp"
 #include "synovia/physics/first_approach.hpp"
+#include "synovia/physics/newton_direction.hpp"
+#include "synovia/physics/nonlinear_options.hpp"
+#include "synovia/physics/stage_contact.hpp"
+#include "synovia/physics/stage_method.hpp"
+#include "synovia/physics/tolerance_rule.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace synovia
 {
 
-/// Solves implicit stages: Newton's method for given multipliers, new searches
-/// where points have slid to other partners, and augmentations until gaps and
-/// pressure jumps are within tolerance.
+/// Solves implicit stages, by AugmentedNewton where the bodies are linear, else
+/// by PrimalDualNewton.
 class StageSolver
 {
 public:
@@ -29,23 +33,15 @@ public:
    const BiphasicLinearSolver &LinearSolver() const { return linear; }
 
 private:
-   /// For multipliers as they are, with partners where they belong.
-   bool SolveSliding(ImplicitStage &stage, ResidualTolerance &tolerance,
-                     StageContact::Violations &violations);
-   /// Corrects the multipliers, and penalties that are too soft.
-   void Augment(ImplicitStage &stage, ResidualTolerance &tolerance,
-                const StageContact::Violations &violations);
-   bool FailAugmentations(const StageContact::Violations &violations);
-
    const std::vector<ContactPair *> &pairs;
    StageEquations &equations;
-   const NonlinearOptions &options;
    SolveRecord &record;
    RigidFreedoms freedoms;
    BiphasicLinearSolver linear;
    ToleranceRule rule;
    StageContact contact;
-   BiphasicNewtonSolver newton;
+   NewtonDirection direction;
+   std::unique_ptr<StageMethod> method;
 };
 
 } // namespace synovia

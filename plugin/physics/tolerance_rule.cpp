@@ -76,15 +76,12 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    return tolerance;
 }
 
-bool ToleranceRule::Tighten(const ImplicitStage &stage,
+bool ToleranceRule::Tighten(const Vector &mass,
                             ResidualTolerance &tolerance) const
 {
    // Part of the fluid exchanged in the step that may get lost; Newton's method
    // of deforming bodies gains many digits at once.
    const real_t lost = equations.Bodies().IsLinear() ? 1e-7 : 1e-9;
-   Vector momentum;
-   Vector mass;
-   equations.ComputeImbalance(stage, momentum, mass);
    real_t squares = 0.0;
    for (const int dof : equations.DrainedDofs())
    {

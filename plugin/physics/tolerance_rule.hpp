@@ -22,9 +22,10 @@ public:
    /// @a force_per_volume as BiphasicLinearSolver has it.
    ResidualTolerance Find(const ImplicitStage &stage,
                           mfem::real_t force_per_volume) const;
-   /// Lowers the tolerance of the mass to a part of the fluid that the step, as
-   /// solved, exchanges; false if that hardly changes it.
-   bool Tighten(const ImplicitStage &stage, ResidualTolerance &tolerance) const;
+   /// Lowers the tolerance of the mass to a part of the fluid that the step
+   /// exchanges, where @a mass is what is missing for balance
+   /// (StageEquations::ComputeImbalance); false if that hardly changes it.
+   bool Tighten(const mfem::Vector &mass, ResidualTolerance &tolerance) const;
 
 private:
    BiphasicSpaces &spaces;

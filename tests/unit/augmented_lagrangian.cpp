@@ -249,6 +249,49 @@ TEST_CASE("An augmentation takes the traction over and releases nothing")
    CHECK(pair.Touching() == 0);
 }
 
+TEST_CASE("A Newton step takes multipliers to what bears after it")
+{
+   Setup pair;
+   AugmentedLagrangian &enforcement = pair.enforcement;
+   pair.Update(-1e-3, 0.5);
+   pair.Update(-1e-3, 0.5);
+   REQUIRE(pair.Touching() == 4);
+   const auto tractions_are = [&](ContactStiffness stiffness, real_t wanted)
+   {
+      enforcement.UpdateTractions(stiffness);
+      return Setup::AllAre(pair.State().traction, wanted);
+   };
+   CHECK(tractions_are(ContactStiffness::penalty, -1e-3 * penalty));
+   CHECK(tractions_are(ContactStiffness::bodies, -1e-3 * resistance));
+   CHECK(tractions_are(ContactStiffness::none, 0.0));
+
+   const int own = pair.State().gap.Size();
+   Vector gap_change(own);
+   Vector jump_change(own);
+   gap_change = 0.4e-3;
+   jump_change = -0.2;
+   const MultiplierStep step =
+      enforcement.FindMultiplierStep(gap_change, jump_change);
+   CHECK(Setup::AllAre(step.traction, -0.6e-3 * penalty));
+   CHECK(Setup::AllAre(step.flux, 0.3 * jump_penalty));
+   enforcement.AddToMultipliers(1.0, step);
+   enforcement.AddToMultipliers(-0.5, step);
+   CHECK(tractions_are(ContactStiffness::none, -0.3e-3 * penalty));
+   enforcement.UpdateTractions(ContactStiffness::none);
+   CHECK(Setup::AllAre(pair.State().flux, 0.15 * jump_penalty));
+
+   // Open, and as the bodies see it out of contact.
+   pair.constraint.gap = 0.4e-3 * factor;
+   enforcement.Evaluate(Vector(), Vector());
+   enforcement.UpdateActiveSet(TouchRule::traction, ContactStiffness::bodies);
+   REQUIRE(pair.Touching() == 0);
+   const MultiplierStep release =
+      enforcement.FindMultiplierStep(gap_change, jump_change);
+   CHECK(Setup::AllAre(release.traction, 0.3e-3 * penalty));
+   enforcement.AddToMultipliers(1.0, release);
+   CHECK(pair.State().multiplier.Normlinf() <= 1e-15);
+}
+
 TEST_CASE("A seal breaks once in a stage")
 {
    Setup pair;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/physics/rigid_freedoms.hpp"
+#include "synovia/physics/solve_record.hpp"
+#include "synovia/physics/stage_equations.hpp"
+
+#include <string>
+
+namespace synovia
+{
+
+/// Finds Newton's direction: brings the Jacobian of a stage up to date, and
+/// solves the linear system. All members are collective.
+class NewtonDirection
+{
+public:
+   /// Borrows all arguments; counts in @a record, which says why what failed.
+   NewtonDirection(BiphasicSpaces &spaces, StageEquations &equations,
+                   const std::vector<ContactPair *> &pairs,
+                   const RigidFreedoms &freedoms, BiphasicLinearSolver &linear,
+                   SolveRecord &record);
+
+   /// Linearizes the bodies where a stage starts whose first guess is none, or
+   /// impossible.
+   void LinearizeStart(const ImplicitStage &stage);
+   /// Brings the Jacobian to the state of @a stage, and to its last tractions;
+   /// that of bodies from the start stays where it is.
+   void Linearize(const ImplicitStage &stage);
+   /// Sets @a step to where the linear residual is at most @a target, in units
+   /// of the @a tolerance; false if there is no such step.
+   bool Solve(const mfem::BlockVector &residual, mfem::real_t target,
+              const ResidualTolerance &tolerance, mfem::BlockVector &step);
+
+private:
+   void LinearizeBodies(const BodyStage &stage);
+   /// Fails with the bodies that are loose as contact is now.
+   bool FailSolve(const std::string &reason);
+   /// Whether a surface that a force moves would leave; fails if so.
+   bool Escapes(const mfem::Vector &step);
+
+   StageEquations &equations;
+   const std::vector<ContactPair *> &pairs;
+   const RigidFreedoms &freedoms;
+   BiphasicLinearSolver &linear;
+   SolveRecord &record;
+   /// Size of the mesh (length), where surfaces are driven.
+   mfem::real_t extent = 0.0;
+};
+
+} // namespace synovia

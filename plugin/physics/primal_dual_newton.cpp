@@ -1,0 +1,225 @@
+#include "synovia/physics/primal_dual_newton.hpp"
+#include "synovia/fem/node_positions.hpp"
+#include "synovia/general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+PrimalDualNewton::PrimalDualNewton(
+   BiphasicSpaces &spaces_, StageEquations &equations_, StageContact &contact_,
+   const ToleranceRule &rule_, NewtonDirection &direction_,
+   const BiphasicLinearSolver &linear_, const NonlinearOptions &options_,
+   SolveRecord &record_)
+   : spaces(spaces_), equations(equations_), contact(contact_), rule(rule_),
+     direction(direction_), linear(linear_), options(options_), record(record_),
+     body_imbalance(spaces.Offsets()), residual(spaces.Offsets()),
+     step(spaces.Offsets())
+{
+}
+
+bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
+{
+   const NewtonTuning &tuning = options.tuning.newton;
+   ForcingTerm forcing(tuning);
+   int searches = 0;
+   set_changed = false;
+   bool evaluated = false;
+   for (int iteration = 0; iteration < options.max_newton; iteration++)
+   {
+      if (!evaluated)
+      {
+         equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
+                                        body_imbalance.GetBlock(1));
+      }
+      const StageContact::Violations violations = contact.FindViolations(stage);
+      const real_t balance = AssessBalance(stage, tolerance);
+      if (balance <= 1.0 && violations.within_tolerance && !set_changed)
+      {
+         // Points near an edge may go back and forth.
+         if (searches == tuning.max_searches ||
+             !contact.SearchDrifted(stage, ContactStiffness::bodies))
+         {
+            contact.SetTractions(ContactStiffness::none);
+            return true;
+         }
+         searches++;
+         set_changed = true;
+         evaluated = false;
+         continue;
+      }
+      if (evaluated && whole_step && contact.StiffenIfSlow(violations) &&
+          contact.Update(stage, ContactStiffness::bodies))
+      {
+         evaluated = false;
+         continue;
+      }
+      // The penalty term is linear in the unknowns: what the linear system
+      // leaves of it need be no more than what the balance needs.
+      const real_t target =
+         options.active_set_tolerance > 0.0
+            ? std::max(tuning.final_accuracy, forcing.Next(balance) * balance)
+            : tuning.final_accuracy;
+      const real_t norm = Assess(stage, ContactStiffness::penalty, tolerance);
+      if (!std::isfinite(norm))
+      {
+         return record.report.Fail("the residual is not a finite number");
+      }
+      // Tractions of the penalties, above the shear modulus, would make
+      // surfaces buckle.
+      contact.SetTractions(ContactStiffness::bodies);
+      direction.Linearize(stage);
+      if (!direction.Solve(residual, target, tolerance, step) ||
+          !TakeStep(stage, tolerance))
+      {
+         return false;
+      }
+      set_changed = contact.Update(stage, ContactStiffness::bodies);
+      evaluated = !set_changed;
+   }
+   return contact.FailIterations(options.max_newton);
+}
+
+real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
+                                ContactStiffness stiffness,
+                                const ResidualTolerance &tolerance)
+{
+   contact.SetTractions(stiffness);
+   residual = body_imbalance;
+   equations.AddContactImbalance(stage, residual.GetBlock(0),
+                                 residual.GetBlock(1));
+   equations.MakeResidual(stage, residual);
+   return linear.Norm(residual, tolerance);
+}
+
+real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
+                                       ResidualTolerance &tolerance)
+{
+   // Where the balance is this good, so is what is known of the fluid.
+   constexpr real_t known = 1e4;
+   real_t norm = Assess(stage, ContactStiffness::none, tolerance);
+   if (norm <= 1.0 && stage.from_start)
+   {
+      stage.from_start = false;
+      equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
+                                     body_imbalance.GetBlock(1));
+      norm = Assess(stage, ContactStiffness::none, tolerance);
+   }
+   if (norm <= known && !stage.from_start)
+   {
+      Vector momentum(body_imbalance.GetBlock(0));
+      Vector mass(body_imbalance.GetBlock(1));
+      equations.AddContactImbalance(stage, momentum, mass);
+      if (rule.Tighten(mass, tolerance))
+      {
+         norm = linear.Norm(residual, tolerance);
+      }
+   }
+   return norm;
+}
+
+bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
+                                const ResidualTolerance &tolerance)
+{
+   const real_t least_share = options.tuning.newton.shortest_step;
+   std::vector<MultiplierStep> multipliers;
+   for (const ContactPair *pair : contact.Pairs())
+   {
+      multipliers.push_back(
+         pair->FindMultiplierStep(step.GetBlock(0), step.GetBlock(1)));
+   }
+   // From the stage's start the step and the supports' increments go together,
+   // and what there was is no measure for what there will be.
+   const bool from_start = stage.from_start;
+   const real_t limit = from_start
+                           ? std::numeric_limits<real_t>::infinity()
+                           : Assess(stage, ContactStiffness::bodies, tolerance);
+   stage.from_start = false;
+   Add(1.0, stage, multipliers);
+   std::string obstacle = FindObstacle(stage, limit, tolerance);
+   whole_step = obstacle.empty();
+   for (real_t share = 0.5;
+        !obstacle.empty() && !from_start && share >= least_share; share *= 0.5)
+   {
+      Add(-share, stage, multipliers);
+      obstacle = FindObstacle(stage, limit, tolerance);
+   }
+   return obstacle.empty() || record.report.Fail(obstacle);
+}
+
+void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
+                           const std::vector<MultiplierStep> &multipliers)
+{
+   stage.u.Add(share, step.GetBlock(0));
+   stage.p.Add(share, step.GetBlock(1));
+   for (std::size_t i = 0; i < multipliers.size(); i++)
+   {
+      contact.Pairs()[i]->Enforcement().AddToMultipliers(share, multipliers[i]);
+   }
+}
+
+std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
+                                           real_t norm,
+                                           const ResidualTolerance &tolerance)
+{
+   // Newton's method may have to climb a little before it falls; what is next
+   // to the tolerance is round-off.
+   const NewtonTuning &tuning = options.tuning.newton;
+   const std::string impossible = equations.Bodies().Validate(stage);
+   if (!impossible.empty())
+   {
+      return impossible;
+   }
+   equations.EvaluateContact(stage);
+   equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
+                                  body_imbalance.GetBlock(1));
+   const real_t now = Assess(stage, ContactStiffness::bodies, tolerance);
+   if (now <= std::max(tuning.residual_floor, tuning.residual_growth * norm))
+   {
+      return "";
+   }
+   const Point3 place = WorstPlace();
+   return "along Newton's direction the residual grows from " + ToText(norm) +
+          " to " + ToText(now) + " times its tolerance, most of all at (" +
+          ToText(place[0]) + ", " + ToText(place[1]) + ", " + ToText(place[2]) +
+          ")";
+}
+
+Point3 PrimalDualNewton::WorstPlace() const
+{
+   const Vector &forces = residual.GetBlock(0);
+   struct
+   {
+      double size;
+      int rank;
+   } worst = {-1.0, 0};
+   MPI_Comm comm = spaces.GetComm();
+   MPI_Comm_rank(comm, &worst.rank);
+   const int rank = worst.rank;
+   int largest = 0;
+   for (int i = 0; i < forces.Size(); i++)
+   {
+      if (std::abs(forces[i]) > worst.size)
+      {
+         worst.size = std::abs(forces[i]);
+         largest = i;
+      }
+   }
+   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+   const Vector positions = NodePositions(spaces.Displacement());
+   Point3 place{{0.0, 0.0, 0.0}};
+   for (int d = 0; d < 3 && rank == worst.rank; d++)
+   {
+      // The three components of a node follow each other.
+      place[d] = positions[largest / 3 * 3 + d];
+   }
+   MPI_Bcast(place.data(), 3, MPITypeMap<real_t>::mpi_type, worst.rank, comm);
+   return place;
+}
+
+} // namespace synovia

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "synovia/physics/forcing_term.hpp"
+#include "synovia/physics/newton_direction.hpp"
+#include "synovia/physics/nonlinear_options.hpp"
+#include "synovia/physics/stage_contact.hpp"
+#include "synovia/physics/stage_method.hpp"
+#include "synovia/physics/tolerance_rule.hpp"
+
+#include <string>
+
+namespace synovia
+{
+
+/// Newton's method for nonlinear bodies, with displacements, pressures and
+/// multipliers as unknowns: each iteration augments the Lagrangian. The
+/// residual of the penalty term, whose nonlinearity is a hundred times the
+/// bodies', is never asked to fall: the line search sees gaps as the bodies
+/// resist them, and the balance is that of the multipliers alone.
+///
+/// With the penalties eta, an iteration solves
+///
+///     K du + G^T eta R du = -(r + G^T (lambda + eta g)),
+///     lambda <- lambda + eta (g + R du),
+///
+/// the same for fluxes and pressure jumps, and then decides the active set. An
+/// inexact method (ForcingTerm), quadratic in the displacement; gaps fall by
+/// the ratio of penalty and resistance in each iteration beside.
+class PrimalDualNewton : public StageMethod
+{
+public:
+   /// Borrows all arguments.
+   PrimalDualNewton(BiphasicSpaces &spaces, StageEquations &equations,
+                    StageContact &contact, const ToleranceRule &rule,
+                    NewtonDirection &direction,
+                    const BiphasicLinearSolver &linear,
+                    const NonlinearOptions &options, SolveRecord &record);
+
+   bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) override;
+
+private:
+   /// Sets the residual with tractions of @a stiffness; returns its norm.
+   mfem::real_t Assess(const ImplicitStage &stage, ContactStiffness stiffness,
+                       const ResidualTolerance &tolerance);
+   /// Norm of the residual with multipliers alone; tightens the tolerance where
+   /// that is small.
+   mfem::real_t AssessBalance(ImplicitStage &stage,
+                              ResidualTolerance &tolerance);
+   /// Adds as much of the Newton step as the bodies can take and as doesn't
+   /// make the residual grow; fails if that is next to nothing.
+   bool TakeStep(ImplicitStage &stage, const ResidualTolerance &tolerance);
+   void Add(mfem::real_t share, ImplicitStage &stage,
+            const std::vector<MultiplierStep> &multipliers);
+   /// Why the state can't follow one whose residual had this norm; empty if it
+   /// can.
+   std::string FindObstacle(const ImplicitStage &stage, mfem::real_t norm,
+                            const ResidualTolerance &tolerance);
+   /// Where the forces are least in balance.
+   Point3 WorstPlace() const;
+
+   BiphasicSpaces &spaces;
+   StageEquations &equations;
+   StageContact &contact;
+   const ToleranceRule &rule;
+   NewtonDirection &direction;
+   const BiphasicLinearSolver &linear;
+   const NonlinearOptions &options;
+   SolveRecord &record;
+   /// Of the bodies and their loads, at the last state.
+   mfem::BlockVector body_imbalance;
+   mfem::BlockVector residual;
+   mfem::BlockVector step;
+   /// Whether the last decision changed the active set.
+   bool set_changed = false;
+   /// Whether the last step was taken as a whole.
+   bool whole_step = true;
+};
+
+} // namespace synovia
