@@ -20,11 +20,6 @@ constexpr real_t most_steps = 1e7;
 // Names of pairs and lines become parts of file names.
 constexpr size_t longest_name = 100;
 
-std::string Path(const std::string &list, size_t i, const std::string &key = "")
-{
-   return list + "." + std::to_string(i) + (key.empty() ? "" : "." + key);
-}
-
 /// Adds an error for the second of two entries with the same name.
 class Once
 {
@@ -58,8 +53,9 @@ void CheckNames(const std::vector<std::string> &names, const std::string &path,
    std::set<std::string> seen;
    for (size_t i = 0; i < names.size(); i++)
    {
-      reading.Require(!names[i].empty(), Path(path, i), "the name is empty");
-      reading.Require(seen.insert(names[i]).second, Path(path, i),
+      reading.Require(!names[i].empty(), EntryPath(path, i),
+                      "the name is empty");
+      reading.Require(seen.insert(names[i]).second, EntryPath(path, i),
                       Quoted(names[i]) + " is named twice");
    }
 }
@@ -77,67 +73,41 @@ void CheckFileName(const std::string &name, const std::string &path,
                       "front");
 }
 
-// The position of an axis must be given once, and for a cylindrical frame only.
-void CheckFrame(const FrameCase &frame, const std::string &path,
-                CaseReading &reading)
+// The position of an axis must be given once.
+void CheckAxis(const FrameCase &frame, const std::string &path,
+               CaseReading &reading)
 {
    const auto check = [&](const std::vector<std::string> &surfaces,
                           const std::string &key, bool also)
    {
-      if (surfaces.empty())
+      if (!surfaces.empty())
       {
-         return;
+         CheckNames(surfaces, path + key, "surface", reading);
+         reading.Require(!also && !frame.HasOrigin(), path + key,
+                         "the axis is said to be somewhere else too; give one "
+                         "of origin, between, around");
       }
-      const std::string here = path + "." + key;
-      CheckNames(surfaces, here, "surface", reading);
-      reading.Require(frame.type == FrameType::cylindrical, here,
-                      "only a cylindrical frame has an axis somewhere; give "
-                      "type = \"cylindrical\", or leave it out");
-      reading.Require(!also && !frame.HasOrigin(), here,
-                      "the axis is said to be somewhere else too; give one of "
-                      "origin, between, around");
    };
-   check(frame.between, "between", false);
-   check(frame.around, "around", !frame.between.empty());
+   check(frame.between, ".between", false);
+   check(frame.around, ".around", !frame.between.empty());
 }
 
-// The keys that go with one type of frames only.
-void CheckFrameType(const FrameCase &frame, const std::string &path,
-                    CaseReading &reading)
+void CheckFrame(const FrameCase &frame, const std::string &path,
+                CaseReading &reading)
 {
-   const auto check = [&](const std::string &key, bool given, FrameType type,
-                          const std::string &word, const std::string &meaning)
+   switch (frame.type)
    {
-      const std::string here = path + "." + key;
-      if (given && frame.type != type)
-      {
-         reading.AddError(here, "this goes with type = " + Quoted(word) +
-                                   "; give that, or leave it out");
-      }
-      else if (!given && frame.type == type && !reading.HasError(here))
-      {
-         reading.AddError(here, "this is missing (" + meaning + ")");
-      }
-   };
-   check("name", !frame.name.empty(), FrameType::field, "field",
-         "of the vectors in the mesh file");
-   check("direction", frame.HasDirection(), FrameType::projected, "projected",
-         "the vector that is projected on the surfaces");
-   check("surfaces", !frame.surfaces.empty(), FrameType::projected, "projected",
-         "what the direction is projected on");
-   if (!frame.surfaces.empty())
-   {
+   case FrameType::cylindrical:
+      CheckAxis(frame, path, reading);
+      break;
+   case FrameType::field:
+      reading.Require(!frame.name.empty(), path + ".name", "the name is empty");
+      break;
+   case FrameType::projected:
       CheckNames(frame.surfaces, path + ".surfaces", "surface", reading);
-   }
-   const bool has_axis = frame.type == FrameType::cartesian ||
-                         frame.type == FrameType::cylindrical;
-   for (const char *const key : {".axis", ".origin"})
-   {
-      if (!has_axis && reading.Places().count(path + key))
-      {
-         reading.AddError(path + key, "a frame of this type has none; leave it "
-                                      "out");
-      }
+      break;
+   default:
+      break;
    }
 }
 
@@ -149,11 +119,10 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
    for (size_t i = 0; i < setup.materials.size(); i++)
    {
       const MaterialCase &material = setup.materials[i];
-      const std::string path = Path("material", i, "regions");
+      const std::string path = EntryPath("material", i, "regions");
       CheckNames(material.regions, path, "region", reading);
-      CheckFrame(material.frame, Path("material", i, "frame"), reading);
-      CheckFrameType(material.frame, Path("material", i, "frame"), reading);
-      CheckLaws(material, Path("material", i), setup.space.deformation,
+      CheckFrame(material.frame, EntryPath("material", i, "frame"), reading);
+      CheckLaws(material, EntryPath("material", i), setup.space.deformation,
                 reading);
       for (const std::string &region : Distinct(material.regions))
       {
@@ -245,7 +214,8 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
    Once once(reading);
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
-      CheckBoundary(setup.boundaries[i], Path("boundary", i), once, reading);
+      CheckBoundary(setup.boundaries[i], EntryPath("boundary", i), once,
+                    reading);
    }
 }
 
@@ -260,7 +230,7 @@ std::map<std::string, std::string> FluidConditions(const CaseFile &setup)
       {
          for (const std::string &surface : boundary.surfaces)
          {
-            paths[surface] = Path(
+            paths[surface] = EntryPath(
                "boundary", i, boundary.pressure ? "pressure" : "normal_flux");
          }
       }
@@ -276,7 +246,7 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
       const ContactCase &contact = setup.contacts[i];
-      const std::string path = Path("contact", i);
+      const std::string path = EntryPath("contact", i);
       CheckNames(contact.source, path + ".source", "surface", reading);
       CheckNames(contact.destination, path + ".destination", "surface",
                  reading);
@@ -355,7 +325,7 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
    for (size_t i = 0; i < setup.output.lines.size(); i++)
    {
       const LineCase &line = setup.output.lines[i];
-      const std::string path = Path("output.line", i);
+      const std::string path = EntryPath("output.line", i);
       const std::string &name = line.line.name;
       reading.Require(!name.empty(), path + ".name", "the name is empty");
       if (!name.empty())
@@ -370,7 +340,7 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
                       path, "the line has no length");
       for (size_t k = 0; k < line.times.size(); k++)
       {
-         reading.Require(line.times[k] > 0.0, Path(path + ".times", k),
+         reading.Require(line.times[k] > 0.0, EntryPath(path + ".times", k),
                          "found " + ToText(line.times[k]) +
                             "; it must be positive");
       }

@@ -35,11 +35,6 @@ bool FrameCase::HasOrigin() const
    return !IsZero(origin);
 }
 
-bool FrameCase::HasDirection() const
-{
-   return !IsZero(direction);
-}
-
 bool BoundaryCase::Holds(int component) const
 {
    return displacement[component].has_value() || spring.Holds(component);

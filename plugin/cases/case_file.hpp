@@ -74,25 +74,27 @@ enum class FrameType
    projected
 };
 
-/// The axes of an anisotropic material.
+/// The axes of an anisotropic material; members that don't go with the type
+/// have no effect.
 struct FrameCase
 {
    FrameType type = FrameType::cartesian;
+   /// Cartesian, cylindrical.
+   std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
+   /// Cylindrical: a point on the axis.
    std::array<mfem::real_t, 3> origin{{0.0, 0.0, 0.0}};
    /// Surfaces midway between whose centers the origin is instead.
    std::vector<std::string> between;
    /// Surfaces the origin is at the center of instead: of the circle that fits
    /// them best, seen along the axis.
    std::vector<std::string> around;
-   std::array<mfem::real_t, 3> axis{{0.0, 0.0, 1.0}};
-   /// Of the vectors in the mesh file.
+   /// Field: of the vectors in the mesh file.
    std::string name;
-   /// What is projected, and the surfaces that it is projected on.
+   /// Projected: what is projected, and the surfaces that it is projected on.
    std::array<mfem::real_t, 3> direction{{0.0, 0.0, 0.0}};
    std::vector<std::string> surfaces;
 
    bool HasOrigin() const;
-   bool HasDirection() const;
 };
 
 struct MaterialCase

@@ -57,35 +57,61 @@ KeyTable PhysicsKeys(SpaceOptions &space)
    return keys;
 }
 
+KeyTable FrameKeysOf(FrameType type, FrameCase &frame)
+{
+   KeyTable keys;
+   switch (type)
+   {
+   case FrameType::cartesian:
+      keys.Value("axis", frame.axis, "", "direction of the fibers");
+      break;
+   case FrameType::cylindrical:
+      keys.Value("axis", frame.axis, "",
+                 "direction of the axis, about which fibers run");
+      keys.Value("origin", frame.origin, length, "point on the axis");
+      keys.Value("between", frame.between, "",
+                 "instead of the origin: it is midway between the centers of "
+                 "these surfaces");
+      keys.Value("around", frame.around, "",
+                 "instead of the origin: it is at the center of the circle "
+                 "that fits these surfaces, seen along the axis");
+      break;
+   case FrameType::field:
+      keys
+         .Value("name", frame.name, "",
+                "of the vectors in the mesh file ($ElementData of gmsh), "
+                "along which fibers run in each element")
+         .Required();
+      break;
+   case FrameType::projected:
+      keys
+         .Value("direction", frame.direction, "",
+                "the vector along whose projection on the surfaces fibers run")
+         .Required();
+      keys
+         .Value("surfaces", frame.surfaces, "",
+                "what it is projected on: in each element the nearest point "
+                "counts, z is the outward normal there")
+         .Required();
+      break;
+   }
+   return keys;
+}
+
 KeyTable FrameKeys(FrameCase &frame)
 {
    KeyTable keys;
-   keys.Word<FrameType>("type", frame.type,
-                        {{"cartesian", FrameType::cartesian},
-                         {"cylindrical", FrameType::cylindrical},
-                         {"field", FrameType::field},
-                         {"projected", FrameType::projected}},
-                        "kind of axes");
-   keys.Value("origin", frame.origin, length,
-              "point on the axis of a cylindrical frame");
-   keys.Value("between", frame.between, "",
-              "instead of the origin: it is midway between the centers of "
-              "these surfaces");
-   keys.Value("around", frame.around, "",
-              "instead of the origin: it is at the center of the circle that "
-              "fits these surfaces, seen along the axis");
-   keys.Value("axis", frame.axis, "",
-              "axis of a cylindrical frame, about which fibers run; direction "
-              "of the fibers in a cartesian one");
-   keys.Value("name", frame.name, "",
-              "for a field: of the vectors in the mesh file ($ElementData of "
-              "gmsh), along which fibers run in each element");
-   keys.Value("direction", frame.direction, "",
-              "for a projected frame: the vector along whose projection on the "
-              "surfaces fibers run");
-   keys.Value("surfaces", frame.surfaces, "",
-              "for a projected frame: in each element the nearest point of "
-              "them counts, z is its outward normal");
+   keys.Choice<FrameType>(
+      "type", frame.type,
+      {{"cartesian", FrameType::cartesian},
+       {"cylindrical", FrameType::cylindrical},
+       {"field", FrameType::field},
+       {"projected", FrameType::projected}},
+      {"the same everywhere", "around an axis",
+       "along a vector that the mesh file has for each element",
+       "along surfaces"},
+      [&frame](FrameType type) { return FrameKeysOf(type, frame); },
+      "kind of axes, one of:");
    return keys;
 }
 

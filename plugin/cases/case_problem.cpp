@@ -1,4 +1,5 @@
 #include "synovia/cases/case_problem.hpp"
+#include "synovia/cases/key_names.hpp"
 #include "synovia/fem/body.hpp"
 #include "synovia/materials/field_frame.hpp"
 #include "synovia/materials/law_registry.hpp"
@@ -40,11 +41,6 @@ Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh)
 
 namespace
 {
-std::string Path(const std::string &list, size_t i, const std::string &key)
-{
-   return list + "." + std::to_string(i) + "." + key;
-}
-
 // Attributes for the names, with an error for each that @a find doesn't know.
 template <typename Find>
 Array<int> FindAll(const std::vector<std::string> &names,
@@ -66,7 +62,7 @@ void CheckRegions(const CaseFile &setup, const NamedMesh &mesh,
    std::map<int, std::string> given;
    for (size_t i = 0; i < setup.materials.size(); i++)
    {
-      const std::string path = Path("material", i, "regions");
+      const std::string path = EntryPath("material", i, "regions");
       for (const int region :
            FindAll(setup.materials[i].regions, path, reading, find))
       {
@@ -82,7 +78,7 @@ void CheckRegions(const CaseFile &setup, const NamedMesh &mesh,
       const FrameCase &frame = setup.materials[i].frame;
       if (frame.type == FrameType::field)
       {
-         reading.Catch(Path("material", i, "frame.name"),
+         reading.Catch(EntryPath("material", i, "frame.name"),
                        [&]() { mesh.Vectors(frame.name); });
       }
    }
@@ -104,7 +100,7 @@ void CheckSurfaces(const CaseFile &setup, const NamedMesh &mesh,
                           const std::string &list, size_t i,
                           const std::string &key)
    {
-      FindAll(names, Path(list, i, key), reading,
+      FindAll(names, EntryPath(list, i, key), reading,
               [&](const std::string &name) { return mesh.Boundary(name); });
    };
    for (size_t i = 0; i < setup.materials.size(); i++)

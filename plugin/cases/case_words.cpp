@@ -60,7 +60,7 @@ const KeyWords<Deformation> &DeformationWords()
 
 std::string DeformationWord(Deformation deformation)
 {
-   return DeformationWords()[deformation == Deformation::finite].first;
+   return WordFor(deformation, DeformationWords());
 }
 
 TimeScheme TimeSchemeNamed(const std::string &word)

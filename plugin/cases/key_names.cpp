@@ -18,6 +18,13 @@ std::string Joined(const std::string &path, const std::string &key)
    return (path.empty() ? "" : path + ".") + (bare ? key : Quoted(key));
 }
 
+std::string EntryPath(const std::string &list, std::size_t i,
+                      const std::string &key)
+{
+   const std::string entry = list + "." + std::to_string(i);
+   return key.empty() ? entry : entry + "." + key;
+}
+
 std::string JoinedNames(const std::vector<std::string> &names)
 {
    std::string text;

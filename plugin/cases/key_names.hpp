@@ -9,6 +9,10 @@ namespace synovia
 /// The path of a key in the table at @a path, which is empty at the top.
 std::string Joined(const std::string &path, const std::string &key);
 
+/// The path of an entry of a list, or of a key in it.
+std::string EntryPath(const std::string &list, std::size_t i,
+                      const std::string &key = "");
+
 /// With commas between them.
 std::string JoinedNames(const std::vector<std::string> &names);
 

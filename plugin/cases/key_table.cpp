@@ -49,14 +49,6 @@ public:
 private:
    real_t &value;
 };
-
-/// A word that chooses further keys: they are listed with each of the words.
-class ChoiceBinding : public WordBinding<std::string>
-{
-public:
-   using WordBinding::WordBinding;
-   std::string Type() const override { return "word"; }
-};
 } // namespace
 
 CaseKey &CaseKey::Required()
@@ -136,8 +128,10 @@ CaseKey &KeyTable::Choice(const std::string &name, std::string &word,
    {
       words.emplace_back(alternative.word, alternative.word);
    }
-   chosen = Chosen{name, &word, alternatives, std::move(describe)};
-   return Bind(name, std::make_unique<ChoiceBinding>(word, words), "", meaning);
+   chosen = Chosen{name, [&word]() { return word; }, alternatives,
+                   std::move(describe)};
+   return Bind(name, std::make_unique<ChoiceBinding<std::string>>(word, words),
+               "", meaning);
 }
 
 CaseKey &KeyTable::Table(const std::string &name, KeyTable table,
@@ -175,7 +169,7 @@ bool KeyTable::Chosen::IsValid() const
 {
    return std::any_of(alternatives.begin(), alternatives.end(),
                       [&](const Alternative &alternative)
-                      { return alternative.word == *word; });
+                      { return alternative.word == word(); });
 }
 
 std::string KeyTable::Chosen::ThoseWith(const std::string &name) const
@@ -195,7 +189,7 @@ void KeyTable::AddChosen()
 {
    if (chosen && !chosen->added && chosen->IsValid())
    {
-      KeyTable further = chosen->describe(*chosen->word);
+      KeyTable further = chosen->describe(chosen->word());
       std::move(further.keys.begin(), further.keys.end(),
                 std::back_inserter(keys));
       chosen->added = true;

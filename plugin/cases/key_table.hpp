@@ -112,6 +112,12 @@ public:
                    const std::vector<Alternative> &alternatives,
                    std::function<KeyTable(const std::string &)> describe,
                    const std::string &meaning);
+   /// The same for words that stand for values, with a meaning for each.
+   template <typename Enum>
+   CaseKey &
+   Choice(const std::string &name, Enum &value, const KeyWords<Enum> &words,
+          const std::vector<std::string> &meanings,
+          std::function<KeyTable(Enum)> describe, const std::string &meaning);
    /// A value with a binding of its own.
    CaseKey &Bind(const std::string &name, std::unique_ptr<KeyBinding> binding,
                  const std::string &unit, const std::string &meaning);
@@ -148,7 +154,8 @@ private:
    struct Chosen
    {
       std::string key;
-      const std::string *word;
+      /// The present one.
+      std::function<std::string()> word;
       std::vector<Alternative> alternatives;
       std::function<KeyTable(const std::string &)> describe;
       /// Whether the keys that go with the word are among the table's.
@@ -243,6 +250,15 @@ private:
    std::vector<Enum> meanings;
 };
 
+/// A word that chooses further keys: they are listed with each of the words.
+template <typename Value>
+class ChoiceBinding : public WordBinding<Value>
+{
+public:
+   using WordBinding<Value>::WordBinding;
+   std::string Type() const override { return "word"; }
+};
+
 template <typename T>
 CaseKey &KeyTable::Value(const std::string &name, T &value,
                          const std::string &unit, const std::string &meaning)
@@ -259,6 +275,26 @@ CaseKey &KeyTable::Word(const std::string &name, Enum &value,
    CaseKey &key = Add(name, "", meaning);
    key.value = std::make_unique<WordBinding<Enum>>(value, words);
    return key;
+}
+
+template <typename Enum>
+CaseKey &KeyTable::Choice(const std::string &name, Enum &value,
+                          const KeyWords<Enum> &words,
+                          const std::vector<std::string> &meanings,
+                          std::function<KeyTable(Enum)> describe,
+                          const std::string &meaning)
+{
+   std::vector<Alternative> alternatives;
+   for (size_t i = 0; i < words.size(); i++)
+   {
+      alternatives.push_back({words[i].first, meanings[i]});
+   }
+   chosen = Chosen{name, [&value, words]() { return WordFor(value, words); },
+                   alternatives,
+                   [words, describe](const std::string &word)
+                   { return describe(ValueOf(word, words)); }};
+   return Bind(name, std::make_unique<ChoiceBinding<Enum>>(value, words), "",
+               meaning);
 }
 
 template <typename Entry>

@@ -140,7 +140,7 @@ void KeyTable::RefuseUnknown(const CaseInput &from) const
       else if (chosen->added) // else nobody knows what it is to go with
       {
          reading.AddError(here, "this goes with " + others + ", not with " +
-                                   Quoted(*chosen->word));
+                                   Quoted(chosen->word()));
       }
    }
 }
@@ -153,7 +153,7 @@ void KeyTable::Check(const std::string &path, CaseReading &reading)
       if (!chosen->added)
       {
          reading.AddError(Joined(path, chosen->key),
-                          "there is no " + Quoted(*chosen->word));
+                          "there is no " + Quoted(chosen->word()));
       }
    }
    for (CaseKey &key : keys)

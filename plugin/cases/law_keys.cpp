@@ -120,15 +120,28 @@ Alternatives Described(const LawRegistry<Law> &laws,
    return alternatives;
 }
 
-KeyTable FiberKeys(FiberCase &fibers)
+/// The laws that are meant, one of which a key chooses, with its own keys.
+template <typename Law>
+KeyTable LawKeys(const LawRegistry<Law> &laws, std::string &name,
+                 bool (*is_meant)(const LawDescription &),
+                 const std::function<KeyTable(const LawDescription &)> &own,
+                 const std::string &meaning)
 {
    KeyTable keys;
    keys.Choice(
-      model, fibers.model, Described(SolidLaws(), IsFiber),
-      [&fibers](const std::string &word)
-      { return ParameterKeys(*SolidLaws().Find(word), fibers.parameters); },
-      "law of the fibers, one of:");
+      model, name, Described(laws, is_meant),
+      [&laws, own](const std::string &word) { return own(*laws.Find(word)); },
+      meaning);
    return keys;
+}
+
+KeyTable FiberKeys(FiberCase &fibers)
+{
+   return LawKeys(
+      SolidLaws(), fibers.model, IsFiber,
+      [&fibers](const LawDescription &law)
+      { return ParameterKeys(law, fibers.parameters); },
+      "law of the fibers, one of:");
 }
 
 // Of a law that isn't made of other bodies.
@@ -145,21 +158,16 @@ KeyTable SimpleKeys(const LawDescription &law, SolidCase &solid)
 
 KeyTable PartKeys(SolidCase &part)
 {
-   KeyTable keys;
-   keys.Choice(
-      model, part.model, Described(SolidLaws(), IsPart),
-      [&part](const std::string &word)
-      { return SimpleKeys(*SolidLaws().Find(word), part); },
-      "");
-   return keys;
+   return LawKeys(
+      SolidLaws(), part.model, IsPart,
+      [&part](const LawDescription &law) { return SimpleKeys(law, part); }, "");
 }
 } // namespace
 
 KeyTable SolidKeys(SolidCase &solid)
 {
-   const auto describe = [&solid](const std::string &word)
+   const auto own = [&solid](const LawDescription &law)
    {
-      const LawDescription &law = *SolidLaws().Find(word);
       KeyTable keys = SimpleKeys(law, solid);
       if (law.has_parts)
       {
@@ -171,24 +179,17 @@ KeyTable SolidKeys(SolidCase &solid)
       }
       return keys;
    };
-   KeyTable keys;
-   keys.Choice(model, solid.model, Described(SolidLaws(), IsAny), describe,
-               "law of the drained solid, one of:");
-   return keys;
+   return LawKeys(SolidLaws(), solid.model, IsAny, own,
+                  "law of the drained solid, one of:");
 }
 
 KeyTable PermeabilityKeys(PermeabilityCase &permeability)
 {
-   KeyTable keys;
-   keys.Choice(
-      model, permeability.model, Described(PermeabilityLaws(), IsAny),
-      [&permeability](const std::string &word)
-      {
-         return ParameterKeys(*PermeabilityLaws().Find(word),
-                              permeability.parameters);
-      },
+   return LawKeys(
+      PermeabilityLaws(), permeability.model, IsAny,
+      [&permeability](const LawDescription &law)
+      { return ParameterKeys(law, permeability.parameters); },
       "law of the permeability, one of:");
-   return keys;
 }
 
 } // namespace synovia

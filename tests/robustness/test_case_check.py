@@ -236,7 +236,9 @@ class WrongCase(Driver):
     def test_frames(self) -> None:
         text = self.case.read_text()
         for frame, texts in (
-                ('{between = ["bone"]}', ["only a cylindrical frame"]),
+                ('{between = ["bone"]}',
+                 ["material.1.frame.between",
+                  'goes with "cylindrical", not with "cartesian"']),
                 ('{type = "cylindrical", between = ["bone"], '
                  'around = ["bone"]}',
                  ["material.1.frame.around", "one of origin, between"]),

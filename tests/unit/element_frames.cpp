@@ -384,15 +384,24 @@ TEST_CASE("Frames of elements in case files", "[frames]")
    { return CaseError(CaseText("mesh.msh", frame), mesh); };
    CHECK_THAT(said("{type = \"field\"}"),
               Contains("material.0.frame.name: this is missing (of the vectors "
-                       "in the mesh file)"));
+                       "in the mesh file ($ElementData of gmsh), along which "
+                       "fibers run in each element)"));
+   CHECK_THAT(said("{type = \"field\", name = \"\"}"),
+              Contains("material.0.frame.name: the name is empty"));
    CHECK_THAT(said("{type = \"field\", name = \"x\"}"),
               Contains("material.0.frame.name: the mesh has no vectors of "
                        "elements named \"x\"; it has none"));
    CHECK_THAT(said("{name = \"x\"}"),
-              Contains("case.toml:9:17: material.0.frame.name: this goes with "
-                       "type = \"field\"; give that, or leave it out"));
+              Contains("case.toml:9:10: material.0.frame.name: this goes with "
+                       "\"field\", not with \"cartesian\""));
+   CHECK_THAT(said("{origin = [0, 0, 0]}"),
+              Contains("material.0.frame.origin: this goes with "
+                       "\"cylindrical\", not with \"cartesian\""));
+   CHECK_THAT(said("{type = \"cylindrical\", orign = [0, 0, 0]}"),
+              Contains("did you mean \"origin\"?"));
    CHECK_THAT(said("{type = \"field\", name = \"x\", axis = [1, 0, 0]}"),
-              Contains("material.0.frame.axis: a frame of this type has none"));
+              Contains("material.0.frame.axis: this goes with \"cartesian\" or "
+                       "\"cylindrical\", not with \"field\""));
    CHECK_THAT(said("{type = \"projected\"}"),
               Contains("material.0.frame.direction: this is missing") &&
                  Contains("material.0.frame.surfaces: this is missing"));
@@ -400,8 +409,8 @@ TEST_CASE("Frames of elements in case files", "[frames]")
       said("{type = \"projected\", direction = [0, 0, 1], surfaces = [\"a\"]}"),
       Contains("material.0.frame.surfaces.0: no boundary is named \"a\""));
    CHECK_THAT(said("{type = \"cylindrical\", surfaces = [\"1\"]}"),
-              Contains("material.0.frame.surfaces: this goes with type = "
-                       "\"projected\""));
+              Contains("material.0.frame.surfaces: this goes with "
+                       "\"projected\", not with \"cylindrical\""));
    CHECK_THAT(said("{type = \"feild\"}"),
               Contains("expected \"cartesian\", \"cylindrical\", \"field\" or "
                        "\"projected\"; did you mean \"field\"?"));
