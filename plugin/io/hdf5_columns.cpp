@@ -126,39 +126,42 @@ void Hdf5Columns::Save()
 {
    const bool flushed = H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
    const ssize_t size = flushed ? H5Fget_file_image(file, nullptr, 0) : -1;
-   image.resize(size > 0 ? size : 0);
-   if (size <= 0 || H5Fget_file_image(file, image.data(), size) != size)
+   // For a file in memory: where the pointer to its contents is.
+   void *handle = nullptr;
+   if (size <= 0 || H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0)
    {
       Fail("make the contents of", path);
    }
+   const char *const image = *static_cast<char *const *>(handle);
    // A file that grows has another structure: a chunk more for each column.
-   if (image.size() == saved.size())
+   if (static_cast<std::size_t>(size) == saved.size())
    {
-      WriteChanges();
+      WriteChanges(image);
    }
    else
    {
-      WriteWhole();
+      ReplaceFile(path, image, size);
+      saved.assign(image, image + size);
    }
-   std::swap(saved, image);
 }
 
-void Hdf5Columns::WriteChanges() const
+void Hdf5Columns::WriteChanges(const char *image)
 {
    errno = 0;
    std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
    // Backwards: values, in chunks behind the headers, come before the numbers
    // of rows that make them count.
-   const std::size_t blocks = (image.size() + block - 1) / block;
+   const std::size_t blocks = (saved.size() + block - 1) / block;
    for (std::size_t i = blocks; i-- > 0;)
    {
       const std::size_t begin = i * block;
-      const std::size_t length = std::min(block, image.size() - begin);
-      if (std::memcmp(&image[begin], &saved[begin], length) != 0)
+      const std::size_t length = std::min(block, saved.size() - begin);
+      if (std::memcmp(image + begin, &saved[begin], length) != 0)
       {
          out.seekp(static_cast<std::streamoff>(begin));
-         out.write(&image[begin], static_cast<std::streamsize>(length));
+         out.write(image + begin, static_cast<std::streamsize>(length));
          out.flush();
+         std::copy_n(image + begin, length, &saved[begin]);
       }
    }
    if (!out)
@@ -166,11 +169,6 @@ void Hdf5Columns::WriteChanges() const
       throw std::runtime_error("cannot write '" + path +
                                "': " + std::strerror(errno));
    }
-}
-
-void Hdf5Columns::WriteWhole() const
-{
-   ReplaceFile(path, image.data(), image.size());
 }
 
 std::vector<double> ReadHdf5Column(const std::string &file,

@@ -28,18 +28,15 @@ public:
 private:
    void Extend(const std::vector<double> &row);
    void Save();
-   /// Replaces the file by the whole image.
-   void WriteWhole() const;
-   /// Writes where the image differs from what is in the file.
-   void WriteChanges() const;
+   /// Writes the blocks of @a image that differ from what is in the file.
+   void WriteChanges(const char *image);
 
    std::string path;
    std::int64_t file = -1; // hid_t, kept out of the header
    std::vector<std::int64_t> columns;
    std::uint64_t rows = 0;
-   /// What is in the file, and what shall be.
+   /// What is in the file.
    std::vector<char> saved;
-   std::vector<char> image;
 };
 
 /// Reads a column of such a file, closed or still being written.
