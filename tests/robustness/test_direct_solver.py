@@ -5,7 +5,8 @@ Requirements: solver.direct = "umfpack" comes to the results of "mumps" on one
 rank, and on more is refused before anything runs; a factorization that needs
 more memory than solver.direct_memory_limit ends the run, after cut-backs, with
 how much is missing and with the last good state saved, from which the run goes
-on with a higher limit to the results of a run without one.
+on with a higher limit to the results of a run without one; a single one that
+fails is cut back, and the run goes on to its end.
 """
 
 from __future__ import annotations
@@ -36,9 +37,13 @@ class Case:
         make_mesh("boxes.py", self.mesh, "two_columns", "--size", "2")
 
     def run(self, output: pathlib.Path, *more: str, ranks: int = 1,
-            end: float = END) -> subprocess.CompletedProcess:
+            end: float = END, failing: int = 0) -> subprocess.CompletedProcess:
+        """With @a failing, this factorization fails, counted from 1."""
+        fault = ["env", f"FAILING_FACTORIZATION={failing}",
+                 f"LD_PRELOAD={os.environ['FAILING_FACTORIZATION_LIBRARY']}"]
         return subprocess.run(
-            [MPIEXEC, "-n", str(ranks), PROGRAMS / "synovia",
+            [MPIEXEC, "-n", str(ranks), *(fault if failing else ()),
+             PROGRAMS / "synovia",
              SOURCE / "miniapps/cases/two_columns.toml",
              "--set", f'mesh.file="{self.mesh}"',
              "--set", f"time.step={STEP}", "--set", f"time.end={end}",
@@ -105,6 +110,27 @@ def test_memory(case: Case, directory: pathlib.Path, ranks: int) -> None:
           and history(cut)[-1]["t"] == END, "without a limit it goes on")
 
 
+def test_recovery(case: Case, directory: pathlib.Path, ranks: int) -> None:
+    """A factorization that fails once, where the second half begins."""
+    failed = directory / f"failed{ranks}"
+    check(case.run(failed, ranks=ranks, end=HALF).returncode == 0,
+          "half of it")
+    run = case.run(failed, "--resume", ranks=ranks, failing=1)
+    check(run.returncode == 0, f"{ranks} ranks: runs to its end")
+    tries = re.findall(r" t (\S+)  dt (\S+) .* failed tries (\d+)",
+                       (failed / "run.log").read_text())
+    check(tries == [(f"{HALF + STEP / 2:g}", f"{STEP / 2:g}", "1")],
+          f"one step was cut back, after one try: {tries}")
+    # The same steps without a fault: they end where a line is asked for.
+    whole = directory / f"halved{ranks}"
+    check(case.run(whole, "--set", 'output.line=[{name = "stop", '
+                   "from = [0.15, 0.15, 0], to = [0.15, 0.15, 0.75], "
+                   f"times = [{HALF + STEP / 2}, {HALF + STEP}]}}]",
+                   ranks=ranks).returncode == 0, "without a fault")
+    difference = same(failed, whole)
+    check(difference < 1e-7, f"same forces: {difference:.1e}")
+
+
 def test_estimate(case: Case, directory: pathlib.Path) -> None:
     """The columns that a kept factorization collects count."""
     run = case.run(directory / "checked", "--check", "--set",
@@ -126,6 +152,7 @@ def main() -> None:
         test_libraries(case, directory)
         for ranks in (1, 2):
             test_memory(case, directory, ranks)
+            test_recovery(case, directory, ranks)
     finish()
 
 
