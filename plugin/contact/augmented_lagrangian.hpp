@@ -7,18 +7,18 @@
 namespace synovia
 {
 
-/// What decides which vertices touch, where nothing was decided before.
+/// Which vertices come into contact.
 enum class TouchRule
 {
-   /// The traction is compressive.
+   /// Those with a compressive traction.
    traction,
-   /// Or the vertex is within the gap tolerance, or it is the nearest one and
-   /// as near as round surfaces in contact at a point are: a guess to start
-   /// from where nothing is known of the traction.
+   /// Also those within the gap tolerance, and the nearest one if it is as near
+   /// as that of round surfaces in contact at a point: a first guess, where no
+   /// traction is known.
    nearness
 };
 
-/// What gaps and jumps count beside the multipliers in tractions and fluxes.
+/// What tractions and fluxes have of gaps and jumps besides the multipliers.
 enum class ContactStiffness
 {
    /// Nothing: tractions and fluxes are the multipliers.
@@ -29,12 +29,12 @@ enum class ContactStiffness
    penalty
 };
 
-/// What augmentations have to make small, over all ranks.
+/// How far the constraints of contact are violated, over all ranks.
 struct ContactViolations
 {
-   /// Largest gap of what touches (length).
+   /// Largest gap of a vertex in contact (length).
    mfem::real_t penetration = 0.0;
-   /// Largest jump of what exchanges fluid (stress).
+   /// Largest pressure jump of a vertex that exchanges fluid (stress).
    mfem::real_t pressure_jump = 0.0;
 };
 
@@ -54,7 +54,7 @@ struct MultiplierStep
 /// tolerance. Decides which vertices are in contact.
 ///
 /// Large because it has all steps of one algorithm, in the order in which a
-/// stage takes them, and then what a time step does with the result.
+/// stage takes them, and then those of a time step that accepts or rejects it.
 class AugmentedLagrangian
 {
 public:
@@ -73,32 +73,32 @@ public:
    void SetHeldPressures(const mfem::Array<int> &vertices);
    /// For steps of length @a dt (time); until then for steady flow.
    void SetTimeStep(mfem::real_t dt);
-   /// To be called whenever the constraint searched; before that there is
-   /// nothing to derive penalties from.
+   /// To be called after each search of the constraint: penalties derive from
+   /// what it found.
    void UpdatePenalties();
 
    /// Predicts the multipliers of a stage that ends at @a time.
    void StartStage(mfem::real_t time);
-   /// Takes gaps and jumps at displacement @a u and pressure @a p (true dofs).
-   /// Collective.
+   /// Evaluates gaps and jumps at displacement @a u and pressure @a p (true
+   /// dofs). Collective.
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p);
    /// Decides from the gaps which vertices are in contact and which of them
-   /// seal the surface. A vertex seals where the source covers it and no more
-   /// than the gap tolerance is open: nothing drains through less, and a seal
-   /// that broke with every tensile vertex would not let Newton's method
-   /// settle. Nor would one that breaks and closes with the fluid's pressure
-   /// again and again: in a stage each may break once. Collective; true if any
-   /// rank's set changed. Trial tractions are those of @a stiffness.
+   /// seal the surface. A vertex seals where the source covers it and the gap
+   /// is within its tolerance: nothing drains through less, and if seals broke
+   /// with each tensile vertex, Newton's method would not settle. As the
+   /// fluid's pressure could open and close a seal again and again, each may
+   /// break once in a stage. Trial tractions are those of @a stiffness.
+   /// Collective; true if any rank's set changed.
    bool UpdateActiveSet(TouchRule rule = TouchRule::traction,
                         ContactStiffness stiffness = ContactStiffness::penalty);
-   /// Traction and flux from the last gaps, of the active set as it is.
+   /// Traction and flux from the last gaps, with the present active set.
    void UpdateTractions(ContactStiffness stiffness = ContactStiffness::penalty);
-   /// How multipliers change by a Newton step that changes gaps and jumps like
-   /// this: to what bears, or exchanges, with penalties after the step, else to
-   /// zero.
+   /// The change of the multipliers in a Newton step with these changes of gaps
+   /// and jumps: to traction and flux with penalties after the step in the
+   /// active set, to zero elsewhere.
    MultiplierStep FindMultiplierStep(const mfem::Vector &gap_change,
                                      const mfem::Vector &jump_change) const;
-   /// Adds a part of it.
+   /// Adds a part of such a step.
    void AddToMultipliers(mfem::real_t share, const MultiplierStep &step);
    /// Collective.
    ContactViolations FindViolations() const;
@@ -106,25 +106,25 @@ public:
    bool IsWithinTolerance(const ContactViolations &violations,
                           mfem::real_t peak_pressure) const;
    /// lambda <- lambda + eta g, mu <- mu + eta_p (p_A - p_B). The next
-   /// UpdateActiveSet() releases nothing: a multiplier that is corrected by
-   /// more than itself would else let go of all at once.
+   /// UpdateActiveSet() releases no vertex: corrections larger than the
+   /// multipliers would release all of them at once.
    void Augment();
    /// To be called with each augmentation, before UpdateActiveSet(): raises the
-   /// penalty of what is out of tolerance and has hardly become smaller since
-   /// the last one. Penalties derived from the drained stiffness are too soft
-   /// where a thin layer is loaded at once, and holds its fluid. Says whether
-   /// it did.
+   /// penalty of a violation that is out of tolerance and has hardly decreased
+   /// since the last augmentation; true if it did. Penalties derived from the
+   /// drained stiffness are too soft where a thin layer is loaded suddenly and
+   /// holds its fluid.
    bool StiffenIfSlow(const ContactViolations &violations,
                       mfem::real_t peak_pressure);
-   /// Keeps traction and flux as the multipliers reached at @a time.
+   /// Stores traction and flux as the multipliers at @a time.
    void Store(mfem::real_t time);
 
-   /// Leaves one time to predict from.
+   /// Forgets all times but the last one, for predictions.
    void ForgetPast() { state.history.ForgetPast(); }
-   /// Remembers the state, and goes back to what was remembered.
+   /// Accepts the state, and restores the one accepted last.
    void Accept();
    void Restore();
-   /// Lists what was remembered; reading sets it. Collective.
+   /// Lists the accepted state; reading sets it. Collective.
    void Archive(StateArchive &archive, const std::string &prefix);
 
    const ContactState &State() const { return state; }
@@ -136,13 +136,14 @@ public:
    }
 
 private:
-   /// What gaps are compared with the multipliers next.
+   /// Which displacement the next UpdateActiveSet() judges.
    enum class Phase
    {
-      /// Those of an extrapolated displacement.
+      /// An extrapolated one.
       prediction,
+      /// That of an iteration.
       iteration,
-      /// The multipliers were just corrected.
+      /// The same, with multipliers that were just corrected.
       augmentation
    };
 

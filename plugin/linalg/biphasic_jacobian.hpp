@@ -12,7 +12,7 @@ namespace synovia
 ///     [ K + G^T W R + F                  -B^T            ]
 ///     [ -(B + dt (J^T W_p J_u + O))  -(dt L + S + dt J^T W_p J) ]
 ///
-/// with unit rows and columns for prescribed dofs, and with the contact's
+/// with unit rows and columns for prescribed dofs, and with the
 /// ContactFactors G, R, F = force_change, J, J_u = jump_change and O =
 /// outflow_change, of which R is G, and F, J_u and O are zero, in infinitesimal
 /// contact. It is symmetric and quasi-definite then, K, B, L, S constant for
@@ -32,11 +32,11 @@ public:
                     const mfem::Array<int> &u_dofs, const ContactTerms &contact,
                     const RigidSurfaces *rigid = nullptr);
 
-   /// The contact's factors are other objects, or have other entries; their
-   /// weights may change without it. Collective.
+   /// To be called when contact factors were replaced or have other entries;
+   /// not when only weights have changed. Collective.
    void ContactChanged();
 
-   /// The bodies' matrices are others. Collective.
+   /// To be called when the bodies' matrices have changed. Collective.
    void BodiesChanged();
 
    /// Collective.
@@ -47,23 +47,23 @@ public:
 
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
-   /// y += what a displacement x, with zeros at prescribed dofs, does to the
-   /// mass: (B + dt (J^T W_p J_u + O)) x.
+   /// y += (B + dt (J^T W_p J_u + O)) x: the mass of a displacement x that is
+   /// zero at prescribed dofs.
    void AddMassOfDisplacement(const mfem::Vector &x, mfem::Vector &y) const;
 
    /// dt L + S + c M / H_A with unit rows and columns for some @a dofs: an
-   /// approximation of the Schur complement, less its sign, but for the
-   /// contact. c is @a compliance: B K^-1 B^T is at most M / H_A.
+   /// approximation of the negative Schur complement without contact. c is
+   /// @a compliance: B K^-1 B^T is at most M / H_A.
    std::unique_ptr<mfem::HypreParMatrix>
    SchurComplement(const mfem::Array<int> &dofs, mfem::real_t compliance) const;
 
-   /// Weights by true dof of the pressure that, on the diagonal, hold it at
-   /// zero for all that a preconditioner needs. They depend on the time step.
+   /// Diagonal entries, by true dof of the pressure, that are large enough to
+   /// hold it at zero in a preconditioner. They depend on the time step.
    mfem::Vector Holding() const;
    /// The whole matrix, assembled, with unit rows for prescribed displacements
    /// and -@a holding on the diagonal for prescribed pressures. Where contact
-   /// is symmetric it may be taken for symmetric: what the bodies' part of it
-   /// lacks for that is little, and the block in the upper right has it, too.
+   /// is symmetric it may be treated as symmetric: the bodies' part nearly is,
+   /// and its coupling blocks are each other's transpose.
    std::unique_ptr<mfem::HypreParMatrix>
    AssembleHeld(const mfem::Vector &holding) const;
 

@@ -28,9 +28,9 @@ struct LinearOptions
    /// Automatic: up to this many dofs, direct; up to twice as many with fibers
    /// as stiff as FactorizationTuning::stiff_fibers.
    HYPRE_BigInt direct_below = 250000;
-   /// A kept factorization is renewed once the solves since took this many
-   /// iterations more than they would have taken with a new one: about what a
-   /// factorization costs.
+   /// A kept factorization is renewed once its solves have taken this many
+   /// iterations more than a new one would have taken: about the cost of a
+   /// factorization.
    int renew_after = 40;
    /// How matrices are factorized: the whole one, or, with multigrid, the part
    /// that contact touches.
@@ -58,21 +58,22 @@ class BiphasicPreconditioner : public mfem::Solver
 {
 public:
    using mfem::Solver::Solver;
-   /// Surfaces were searched anew: gap and jump have other entries. Collective.
+   /// Surfaces were searched anew: the gap and jump operators have other
+   /// entries. Collective.
    virtual void ContactMoved() = 0;
    /// The matrices of bodies or contact have other values, a little later in
    /// the deformation; factors and hierarchies may stay in use. Collective.
    virtual void TangentChanged() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
-   /// changed. Throws FactorizationError, as Mult() does; the preconditioner is
-   /// of no use then. Collective.
+   /// changed. Throws FactorizationError, as Mult() does; the preconditioner
+   /// cannot be used any more then. Collective.
    virtual void Update() = 0;
    /// Called after each attempt; says whether another one, from where it ended,
    /// is worthwhile if it did not converge. Collective.
    virtual bool Report(const SolveAttempt &attempt) = 0;
-   /// Iterations after which a solve had better Report().
+   /// Most iterations of an attempt.
    virtual int Patience() const = 0;
-   /// What it did since the start: set-ups, factorizations, columns.
+   /// Setups, factorizations and columns since the start.
    const WorkCounts &Work() const { return work; }
    void SetOperator(const mfem::Operator &) override
    {
@@ -114,8 +115,8 @@ public:
    mfem::real_t Norm(const mfem::Vector &residual,
                      const ResidualTolerance &tolerance) const;
 
-   /// Force / volume: what makes residuals of the two equations comparable
-   /// where nothing else is known of one of them.
+   /// Scale of the momentum's residuals over the mass's (force / volume), for
+   /// cases where one of the equations has no scale of its own.
    mfem::real_t ForcePerVolume() const { return force_per_volume; }
 
    struct Result
@@ -135,9 +136,9 @@ public:
    Result Solve(const mfem::Vector &b, mfem::Vector &x,
                 const ResidualTolerance &tolerance, mfem::real_t target);
 
-   /// As given, but with the method that was chosen.
+   /// Those given, with the method that was chosen.
    const LinearOptions &Options() const { return options; }
-   /// What the preconditioners did since the start.
+   /// Work of the preconditioners since the start.
    WorkCounts Work() const;
 
 private:

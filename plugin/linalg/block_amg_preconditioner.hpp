@@ -11,13 +11,12 @@ namespace synovia
 /// Block lower triangular: u = A^-1 r_u, p = -S^-1 (r_p + B u), with filtered
 /// multigrid for A and for the Schur complement S (fixed stress).
 ///
-/// The hierarchy for A knows the contact, but with penalties as soft as the
-/// bodies: multigrid likes these, and for what is longer than an element they
-/// are as good as the real ones, so that iterations don't grow with the mesh.
-/// It is built anew when much of the active set has changed since and it has
-/// served a few times as long as building it takes. When the tangent changes,
-/// the hierarchies stay in use until the extra iterations cost as much as new
-/// ones.
+/// The hierarchy for A has the contact, but with penalties as soft as the
+/// bodies: these suit multigrid, and for errors longer than an element they are
+/// as good as the true ones, so that iterations don't grow with the mesh. It is
+/// rebuilt when much of the active set has changed since and it has served a
+/// few times as long as building it takes. When the tangent changes, the
+/// hierarchies stay in use until the extra iterations cost as much as new ones.
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -49,25 +48,24 @@ private:
    MultigridTuning tuning;
    MatrixKind kind;
    bool tangent_changed = false;
-   /// Iterations for a tenth of the residual, in the first solve with all that
-   /// was made of one tangent; 0 before.
+   /// Iterations that reduce the residual to a tenth, in the first solve with
+   /// hierarchies of the present tangent; 0 before.
    mfem::real_t fresh_rate = 0.0;
-   /// Iterations since, more than with that rate.
+   /// Iterations since, in excess of that rate.
    mfem::real_t extra_iterations = 0.0;
    std::unique_ptr<FilteredAmg> displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;
-   /// What the displacement's hierarchy was built with, and the iterations
-   /// that it served.
+   /// Weights that the displacement's hierarchy was built with, and the
+   /// iterations that it has served.
    std::vector<mfem::Vector> soft_weights;
    int served = 0;
    bool built = false;
    bool moved = true;
    mfem::real_t dt = -1.0;
-   /// 1 for the pressures that a pair's jump has to do with, 0 for others.
+   /// 1 for the pressures in a pair's jump, 0 for others.
    mfem::Array<int> touched;
-   /// Pressures that the hierarchy takes for prescribed, and those that only
-   /// the filter does.
+   /// Pressures that are prescribed in the hierarchy, and in the filter only.
    mfem::Array<int> p_dofs;
    mfem::Array<int> held;
    std::vector<mfem::Vector> gap_weights;

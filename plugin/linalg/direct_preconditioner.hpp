@@ -14,9 +14,9 @@ namespace synovia
 /// A changed active set differs from the one factorized by a matrix of low
 /// rank: each vertex that touches or leaves, each jump that is closed or open,
 /// each pressure that drains or is sealed makes one column. A column costs one
-/// solve, at a lower price among many, when it first occurs, and little after
-/// that. What else changes, such as a slightly different time step, costs
-/// iterations. The factorization is renewed when all that amounts to its cost.
+/// solve, less in a batch, when it first occurs, and little after that. Other
+/// changes, such as a slightly different time step, cost iterations. The
+/// factorization is renewed when all these costs amount to its own.
 class DirectPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -25,8 +25,8 @@ public:
                         int renew_after, const DirectOptions &options,
                         const FactorizationTuning &tuning);
 
-   /// How many columns, as long as there are unknowns, may come together until
-   /// the factorization is renewed.
+   /// How many columns, vectors of all unknowns, may accumulate before the
+   /// factorization is renewed.
    static mfem::real_t MostColumns(int renew_after,
                                    const FactorizationTuning &tuning);
 
@@ -59,9 +59,10 @@ private:
    bool IsLikeFactorized() const;
    std::vector<Change> FindChanges() const;
    void Factorize();
-   /// False if that would cost more than a factorization.
+   /// Updates the factors by columns; false if that would cost more than a
+   /// factorization.
    bool Follow(const std::vector<Change> &changes);
-   /// Those that have no column yet, or another one. Collective.
+   /// Changes that have no column yet, or an outdated one. Collective.
    std::vector<Key> FindMissing(const std::vector<Change> &changes);
    /// Makes the columns, solved for in batches.
    void AddColumns(const std::vector<Key> &keys);
@@ -83,7 +84,7 @@ private:
    mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;
-   /// Whether operators are others than those factorized.
+   /// Whether the contact operators differ from those factorized.
    bool moved = false;
    mfem::real_t dt = -1.0;
    std::vector<mfem::Vector> gap_weights;

@@ -11,16 +11,16 @@ namespace synovia
 
 /// Approximate inverse of A + sum F^T W F that seldom rebuilds its hierarchy.
 ///
-/// A is a matrix that multigrid likes, F the gap or jump operator of a contact
-/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, set up on A or
-/// on something like the whole that multigrid likes as well, stands between two
-/// exact solves on the dofs of the rows that have a weight: filter, V-cycle,
-/// filter, with the residual renewed in between. So neither the size of the
-/// penalty nor a change of the active set spoils the multigrid. Dofs that
-/// contact holds, such as pressures that drain where there is none, are left to
-/// the exact solves in the same way. The idea is AMG with filtering (Petrides
-/// et al. 2025); there the hierarchy is that of the whole matrix and the order
-/// is AMG, filter, AMG.
+/// A is a matrix that suits multigrid, F the gap or jump operator of a contact
+/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, whose
+/// hierarchy is that of A or of a matrix near to the whole that suits multigrid
+/// as well, stands between two exact solves on the dofs of the rows that have a
+/// weight: filter, V-cycle, filter, with the residual updated in between. So
+/// neither the size of the penalty nor a change of the active set spoils the
+/// multigrid. Dofs that contact holds, such as pressures that drain where there
+/// is none, are left to the exact solves in the same way. The idea is AMG with
+/// filtering (Petrides et al. 2025); there the hierarchy is that of the whole
+/// matrix and the order is AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
@@ -33,30 +33,29 @@ public:
                const mfem::Array<int> &prescribed, int overlap, MatrixKind kind,
                const DirectOptions &options);
 
-   /// Takes @a amg, set up to choice but not yet with an operator, and builds
-   /// its hierarchy on @a alike, which has unit rows and columns for the
-   /// prescribed dofs. Must come first. SetWeights() must follow. Collective.
-   /// ClearHierarchy() before @a alike is made spares memory.
+   /// Takes @a amg, with its options but without an operator, and builds its
+   /// hierarchy on @a alike, which has unit rows and columns for the prescribed
+   /// dofs. Must come first. SetWeights() must follow. Collective. A call of
+   /// ClearHierarchy() before @a alike is made saves memory.
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
                      std::unique_ptr<mfem::HypreBoomerAMG> amg);
    void ClearHierarchy();
-   /// Borrows other contact operators F, rows x true dofs, until others come.
+   /// Borrows the contact operators F, rows x true dofs, until the next call.
    /// Their columns at prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
-   /// Borrows another A and other factors in place of those before, from which
-   /// they differ little: hierarchy and factors stay in use until the dofs to
-   /// solve for exactly change.
+   /// Replaces A and the factors, borrowed, by others that differ little:
+   /// hierarchy and factorization stay in use until the dofs to solve for
+   /// exactly change.
    void Replace(const mfem::HypreParMatrix &matrix,
                 const std::vector<const mfem::HypreParMatrix *> &factors);
-   /// Takes other dofs, ascending and among those that Touched() gives for the
-   /// factors, which are to be treated as if they were prescribed, although the
-   /// hierarchy knows nothing of it. SetWeights() must follow.
+   /// Sets dofs, ascending and among those that Touched() gives for the
+   /// factors, that are treated as if they were prescribed, although they are
+   /// free in the hierarchy. SetWeights() must follow.
    void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
-   /// Takes other weights, not negative, for each factor, and factorizes. Says
-   /// whether there was anything to factorize. @a in_hierarchy are the weights
-   /// with which factors are part of the hierarchy's matrix, empty if they are
-   /// not: the exact solves amend it there. Throws FactorizationError.
-   /// Collective.
+   /// Sets the weights, not negative, of each factor, and factorizes; true if
+   /// there was anything to factorize. @a in_hierarchy are the weights with
+   /// which factors are part of the hierarchy's matrix, empty if they are not:
+   /// the exact solves correct it there. Throws FactorizationError. Collective.
    bool SetWeights(const std::vector<mfem::Vector> &weights,
                    const std::vector<mfem::Vector> &in_hierarchy);
 
@@ -73,8 +72,8 @@ private:
    /// hierarchy, and for those held.
    mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights,
                            const std::vector<mfem::Vector> &in_hierarchy) const;
-   /// Adds to the selected dofs, and says whether the selection is another one
-   /// on any rank. What isn't needed any more stays: it may come back.
+   /// Adds to the selected dofs; true if the selection changed on any rank.
+   /// Dofs that aren't needed any more stay selected: they may come back.
    bool Select(const mfem::Array<int> &needed);
    /// Restricts matrix and factors to the selected dofs and their neighbors.
    void Restrict();
@@ -89,8 +88,8 @@ private:
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
    std::vector<const mfem::HypreParMatrix *> factors;
-   /// 1 for the dofs to solve for exactly, but for their neighbors; none
-   /// selected yet for other factors or another hierarchy.
+   /// 1 for the dofs to solve for exactly, but for their neighbors; unset after
+   /// a change of factors or hierarchy.
    std::optional<mfem::Array<int>> selected;
    mfem::Array<int> contact_dofs;
    /// Of the held dofs, their places among the contact dofs.

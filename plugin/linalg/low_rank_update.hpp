@@ -8,7 +8,7 @@
 namespace synovia
 {
 
-/// The entries of a sparse distributed vector that this rank has.
+/// This rank's entries of a sparse distributed vector.
 struct SparsePart
 {
    std::vector<int> dofs;
@@ -37,8 +37,8 @@ public:
 
    explicit LowRankUpdate(MPI_Comm comm_) : comm(comm_) {}
 
-   /// Takes other columns, borrowed, and the diagonal of K, without zeros; none
-   /// for A as it is. Collective.
+   /// Sets the columns, borrowed, and the diagonal of K, without zeros; none
+   /// for A itself. Collective.
    void Set(std::vector<const Column *> columns, const mfem::Vector &k);
 
    /// @a y = A^-1 x becomes (A + L K R^T)^-1 x. Collective.

@@ -19,7 +19,7 @@ enum class MumpsJob
    solve = 3
 };
 
-/// INFOG(1) of what can be mended, or explained to those who don't know MUMPS.
+/// INFOG(1) of failures that can be mended, or explained in other words.
 enum class MumpsStatus
 {
    no_memory_for_numbers = -5,
@@ -43,7 +43,7 @@ public:
    MumpsInstance(const MumpsInstance &) = delete;
    MumpsInstance &operator=(const MumpsInstance &) = delete;
 
-   /// Whether it went well, on all ranks alike.
+   /// Whether the job succeeded, on all ranks alike.
    bool Run(MumpsJob job);
    /// Of the last job, if it failed.
    MumpsStatus Status() const;
@@ -57,7 +57,7 @@ public:
    DMUMPS_STRUC_C data{};
 
 private:
-   /// Megabytes that MUMPS lacked, or asked for in vain.
+   /// Megabytes that MUMPS lacked, or could not allocate.
    double MissingMemory() const;
 };
 

@@ -7,7 +7,7 @@
 namespace synovia
 {
 
-/// A number that tells apart where matrices have their entries (FNV-1a).
+/// A hash of the places of a matrix's entries (FNV-1a).
 class PatternHash
 {
 public:

@@ -17,7 +17,7 @@ public:
    /// Borrows both; @a rigid is null where nothing is driven.
    ReducedContact(const ContactTerms &original, const RigidSurfaces *rigid);
 
-   /// The matrices are others. Collective.
+   /// The matrices have changed. Collective.
    void Update();
 
    const ContactTerms &Terms() const { return rigid ? reduced : original; }

@@ -7,8 +7,8 @@
 namespace synovia
 {
 
-/// Brings entries of distributed vectors from wherever they are to the ranks
-/// that own their rows, again and again from the same places.
+/// Sends entries of distributed vectors to the ranks that own their rows. The
+/// route is found once, for all vectors whose entries are at the same places.
 class RowRoute
 {
 public:
@@ -18,8 +18,8 @@ public:
    RowRoute(const std::vector<HYPRE_BigInt> &rows, HYPRE_BigInt first_row,
             MPI_Comm comm);
 
-   /// Entries in the order of the rows given to the vector of rows owned, which
-   /// has its size. Collective.
+   /// Sends @a entries, in the order of the rows given, into the vector of the
+   /// rows owned, which has its size. Collective.
    void Bring(const mfem::real_t *entries, mfem::Vector &owned);
 
 private:

@@ -6,15 +6,15 @@
 namespace synovia
 {
 
-/// How many fibers there are in a direction n = (n_r, n_theta, n_z), up to a
-/// factor: that of von Mises about theta, and an ellipsoid,
+/// Density of fibers by their direction n = (n_r, n_theta, n_z), up to a
+/// factor: a von Mises distribution about theta times an ellipsoid,
 ///
 ///     R(n) = exp(b (2 n_theta^2 - 1)) / sqrt(sum (n_i / a_i)^2).
 ///
-/// The same in all directions unless said.
+/// Uniform by default.
 struct FiberDensity
 {
-   /// b, from 0 to 100: the larger, the closer to theta; 100 is within some 3
+   /// b, from 0 to 100: the larger, the closer to theta; with 100 within some 3
    /// degrees.
    mfem::real_t concentration = 0.0;
    /// The semiaxes a along r, theta, z, positive.

@@ -30,7 +30,7 @@ public:
    mfem::real_t AggregateModulus() const override { return 0.0; }
    mfem::real_t ShearModulus() const override { return 0.0; }
 
-   /// How many there are, on half of the sphere.
+   /// Number of directions, on half of the sphere.
    int Directions() const { return static_cast<int>(directions.size()); }
 
 protected:

@@ -23,13 +23,13 @@ public:
    virtual mfem::real_t Threshold() const = 0;
    /// Where I_n = @a square is above the threshold.
    virtual Derivatives Differentiate(mfem::real_t square) const = 0;
-   /// Whether nothing but I_n matters.
+   /// Whether the energy depends on I_n alone.
    virtual bool DependsOnStretchOnly() const { return true; }
 };
 
-/// Whether I_n = @a square is above @a threshold. Moves it there where only
-/// round-off has it on the other side: undeformed fibers count as taut, and
-/// powers of a negative or no excess have no derivative.
+/// Whether I_n = @a square is above @a threshold. Raises it to just above where
+/// it is below by no more than round-off: undeformed fibers count as taut, and
+/// powers of a negative or zero excess have no derivative.
 template <typename T>
 bool IsTaut(mfem::real_t threshold, T &square)
 {

@@ -12,8 +12,8 @@ namespace synovia
 ///
 ///     P = 2 Psi'(I_n) (F n_0) (x) n_0 where I_n > I_0.
 ///
-/// Where I_n is I_0 but for round-off they count as taut, so that the stiffness
-/// of undeformed fibers is that in tension.
+/// Where I_n equals I_0 within round-off they count as taut, so that undeformed
+/// fibers have their stiffness in tension.
 ///
 /// To be mixed with a ground matrix, see SolidMixture. @a Own has the threshold
 /// I_0 as real_t Threshold() const override and Psi' as

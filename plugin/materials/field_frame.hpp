@@ -7,7 +7,7 @@ namespace synovia
 {
 
 /// Theta is along a vector that the mesh file has for each element; r and z are
-/// any directions across it.
+/// any directions perpendicular to it.
 class FieldFrame : public ElementFrame
 {
 public:

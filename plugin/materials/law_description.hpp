@@ -21,7 +21,7 @@ struct LawParameter
    /// What it is, as messages name it.
    std::string noun;
    NumberRange range;
-   /// Taken if no other is given; the parameter is required if this is empty.
+   /// The default; the parameter is required if this is empty.
    std::optional<mfem::real_t> standard;
 
    /// Throws Error unless @a value is in the range.
@@ -51,13 +51,13 @@ struct LawDescription
    /// The key model.
    std::string name;
    std::string meaning;
-   /// The deformation that it is for; for both if empty.
+   /// The only deformation that it is for; any if empty.
    std::optional<Deformation> only_for;
    std::vector<LawParameter> parameters;
    /// Whether it is made of other laws.
    bool has_parts = false;
    std::vector<LawVector> vectors{};
-   /// Whether it is one of fibers, a FiberEnergy.
+   /// Whether it is a law of fibers, a FiberEnergy.
    bool is_fiber = false;
    /// Whether it is made of the fibers of another law.
    bool has_fibers = false;

@@ -46,7 +46,7 @@ public:
 
    const std::vector<Entry> &Entries() const { return entries; }
 
-   /// What is known of a law; null if there is none of that name.
+   /// The description of a law; null if there is none of that name.
    const LawDescription *Find(const std::string &name) const
    {
       const Entry *entry = FindEntry(name);
@@ -67,9 +67,9 @@ public:
       return names;
    }
 
-   /// Makes a law; parameters that are not there have their standard values.
-   /// Throws Error if there is no such law, if a parameter is missing, and if
-   /// the law can't be made from them.
+   /// Makes a law; parameters that are not given have their standard values.
+   /// Throws Error if there is no such law, if a required parameter is missing,
+   /// and if values are out of range.
    std::unique_ptr<Law> Make(const std::string &name, LawArguments from) const
    {
       const Entry *const entry = FindEntry(name);

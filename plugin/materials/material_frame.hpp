@@ -9,7 +9,7 @@
 namespace synovia
 {
 
-/// The axes r, theta, z of an anisotropic material, orthonormal, in space.
+/// The orthonormal axes r, theta, z of an anisotropic material at each point.
 class MaterialFrame
 {
 public:
@@ -18,7 +18,7 @@ public:
    /// The axes at a point, as columns.
    virtual Tensor3<> GetAxes(const MaterialPoint &point) const = 0;
 
-   /// Says what is wrong with the frame in an element; empty if nothing is.
+   /// Why there are no axes in an element; empty if there are.
    virtual std::string Validate(mfem::ElementTransformation &) const
    {
       return "";
@@ -29,10 +29,10 @@ public:
 Tensor3<> AxesOf(const Point3 &r, const Point3 &theta, const Point3 &z);
 
 /// Axes whose theta is the direction of a vector that isn't zero; r and z are
-/// any directions across it.
+/// any directions perpendicular to it.
 Tensor3<> AxesAlong(const Point3 &theta);
 
-/// The same axes everywhere; theta is given, r and z are across it.
+/// The same axes everywhere; theta is given, r and z are perpendicular to it.
 class CartesianFrame : public MaterialFrame
 {
 public:
@@ -54,7 +54,7 @@ public:
    CylindricalFrame(const Point3 &origin, const Point3 &axis);
 
    Tensor3<> GetAxes(const MaterialPoint &point) const override;
-   /// On the line r and theta mean nothing: it must not come near an element.
+   /// On the line r and theta are undefined: it must not come near an element.
    std::string Validate(mfem::ElementTransformation &trans) const override;
 
 private:

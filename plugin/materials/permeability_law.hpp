@@ -26,12 +26,12 @@ public:
                                Tensor3<> &permeability,
                                Tangent3 *tangent) const = 0;
 
-   /// That of infinitesimal deformation, kappa: of the undeformed body, which
-   /// must be isotropic.
+   /// The permeability kappa of infinitesimal deformation, which is that of the
+   /// undeformed body and must be isotropic.
    virtual mfem::real_t GetPermeability(mfem::ElementTransformation &trans,
                                         const mfem::IntegrationPoint &ip) const;
 
-   /// Says what is wrong with the law in an element; empty if nothing is.
+   /// Why the law can't be used in an element; empty if it can.
    virtual std::string Validate(mfem::ElementTransformation &) const
    {
       return "";

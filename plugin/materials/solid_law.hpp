@@ -17,11 +17,10 @@ class SolidLaw
 public:
    virtual ~SolidLaw() = default;
 
-   /// Sets the effective stress P, that of Piola and Kirchhoff (force per
-   /// undeformed area), at the deformation gradient @a F = I + grad u, and,
-   /// unless @a tangent is null, dP/dF. False where the law has no value, as
-   /// porous solids whose pores are closed; det F > 0 is the caller's to
-   /// verify.
+   /// Sets the effective first Piola-Kirchhoff stress P (force per undeformed
+   /// area) at the deformation gradient @a F = I + grad u, det F > 0, and,
+   /// unless @a tangent is null, dP/dF. False where the law has no value, such
+   /// as that of a porous solid whose pores are closed.
    virtual bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
                           Tensor3<> &stress, Tangent3 *tangent) const = 0;
 
@@ -43,7 +42,7 @@ public:
    /// A typical shear modulus: it scales the pressure stabilization.
    virtual mfem::real_t ShearModulus() const = 0;
 
-   /// Says what is wrong with the law in an element; empty if nothing is.
+   /// Why the law can't be used in an element; empty if it can.
    virtual std::string Validate(mfem::ElementTransformation &) const
    {
       return "";

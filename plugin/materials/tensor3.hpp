@@ -44,7 +44,7 @@ Tensor3<T> Cofactor(const Tensor3<T> &F)
    return cofactor;
 }
 
-/// The determinant, from the cofactors that are there already.
+/// The determinant, from the matrix of cofactors.
 template <typename T>
 T Determinant(const Tensor3<T> &F, const Tensor3<T> &cofactor)
 {
