@@ -9,7 +9,8 @@ using namespace mfem;
 namespace
 {
 // All gradients by reference coordinates, dofs x (3 x points).
-DenseMatrix Slopes(const FiniteElement &element, const IntegrationRule &rule)
+DenseMatrix TabulatedSlopes(const FiniteElement &element,
+                            const IntegrationRule &rule)
 {
    const int dofs = element.GetDof();
    DenseMatrix slopes(dofs, 3 * rule.GetNPoints());
@@ -21,7 +22,8 @@ DenseMatrix Slopes(const FiniteElement &element, const IntegrationRule &rule)
    return slopes;
 }
 
-DenseMatrix Shapes(const FiniteElement &element, const IntegrationRule &rule)
+DenseMatrix TabulatedShapes(const FiniteElement &element,
+                            const IntegrationRule &rule)
 {
    DenseMatrix shapes(element.GetDof(), rule.GetNPoints());
    for (int q = 0; q < rule.GetNPoints(); q++)
@@ -31,9 +33,17 @@ DenseMatrix Shapes(const FiniteElement &element, const IntegrationRule &rule)
    }
    return shapes;
 }
+
+// That of the geometry of elements with straight sides.
+const FiniteElement *StraightElement(Geometry::Type shape)
+{
+   static const H1_FECollection corners(1, 3);
+   return corners.FiniteElementForGeometry(shape);
+}
 } // namespace
 
-BodyElement::BodyElement(BiphasicSpaces &spaces_) : spaces(spaces_)
+BodyElement::BodyElement(BiphasicSpaces &spaces_, ElementSides sides)
+   : spaces(spaces_)
 {
    begins.push_back(0);
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
@@ -41,24 +51,29 @@ BodyElement::BodyElement(BiphasicSpaces &spaces_) : spaces(spaces_)
       const Geometry::Type shape = spaces.GetMesh().GetElementGeometry(e);
       if (tables_of.count(shape) == 0)
       {
-         tables_of.emplace(shape, Tabulate(e));
+         tables_of.emplace(shape, Tabulate(e, sides));
       }
       begins.push_back(begins.back() + tables_of.at(shape).rule->GetNPoints());
    }
    KeepGeometry();
 }
 
-BodyElement::Tables BodyElement::Tabulate(int element)
+BodyElement::Tables BodyElement::Tabulate(int element, ElementSides sides)
 {
    const FiniteElement &fe = *spaces.Displacement().GetFE(element);
    const FiniteElement &p_fe = *spaces.Pressure().GetFE(element);
    spaces.GetMesh().GetElementTransformation(element, &trans);
+   IsoparametricTransformation straight;
+   straight.SetFE(StraightElement(fe.GetGeomType()));
+   const IsoparametricTransformation &shape =
+      sides == ElementSides::straight ? straight : trans;
    // Exact for products of gradients and for the pressure's mass matrix, on
    // straight elements.
-   const int order = 2 * std::max(fe.GetOrder() - 1, 1) + trans.OrderW();
+   const int order = 2 * std::max(fe.GetOrder() - 1, 1) + shape.OrderW();
    const IntegrationRule &rule =
-      IntRules.Get(fe.GetGeomType(), QuadratureOrder(fe, trans, order));
-   return {&rule, Slopes(fe, rule), Shapes(p_fe, rule), Slopes(p_fe, rule)};
+      IntRules.Get(fe.GetGeomType(), QuadratureOrder(fe, shape, order));
+   return {&rule, TabulatedSlopes(fe, rule), TabulatedShapes(p_fe, rule),
+           TabulatedSlopes(p_fe, rule)};
 }
 
 void BodyElement::KeepGeometry()
@@ -91,15 +106,35 @@ void BodyElement::Set(int element, const Vector &u, const Vector &p)
    spaces.Pressure().GetElementDofs(element, p_dofs);
    u.GetSubVector(u_dofs, u_values);
    p.GetSubVector(p_dofs, p_values);
-   ToBody(tables->slopes, gradients);
-   ToBody(tables->p_slopes, p_gradients);
-   displacement_gradients.SetSize(3, gradients.Width());
-   const DenseMatrix values(u_values.GetData(), gradients.Height(), 3);
-   MultAtB(values, gradients, displacement_gradients);
+   gradients_known = false;
+   p_gradients_known = false;
+   const DenseMatrix values(u_values.GetData(), tables->slopes.Height(), 3);
+   displacement_slopes.SetSize(tables->slopes.Width(), 3);
+   MultAtB(tables->slopes, values, displacement_slopes);
    pressures.SetSize(Points());
    tables->p_shapes.MultTranspose(p_values, pressures);
-   pressure_gradients.SetSize(3 * Points());
-   p_gradients.MultTranspose(p_values, pressure_gradients);
+   pressure_slopes.SetSize(3 * Points());
+   tables->p_slopes.MultTranspose(p_values, pressure_slopes);
+}
+
+const DenseMatrix &BodyElement::Gradients()
+{
+   if (!gradients_known)
+   {
+      ToBody(tables->slopes, gradients);
+      gradients_known = true;
+   }
+   return gradients;
+}
+
+const DenseMatrix &BodyElement::PressureGradients()
+{
+   if (!p_gradients_known)
+   {
+      ToBody(tables->p_slopes, p_gradients);
+      p_gradients_known = true;
+   }
+   return p_gradients;
 }
 
 void BodyElement::ToBody(const DenseMatrix &slopes, DenseMatrix &to) const
@@ -109,8 +144,7 @@ void BodyElement::ToBody(const DenseMatrix &slopes, DenseMatrix &to) const
    for (int q = 0; q < Points(); q++)
    {
       const real_t *const along = slopes.GetColumn(3 * q);
-      const real_t *const inverse =
-         inverse_jacobians.data() + 9 * (begins[current] + size_t(q));
+      const real_t *const inverse = InverseJacobian(q);
       for (int b = 0; b < 3; b++)
       {
          real_t *const gradient = to.GetColumn(3 * q + b);
@@ -143,18 +177,34 @@ Tensor3<> BodyElement::DeformationGradient(int point) const
    Tensor3<> F = IdentityTensor();
    for (int a = 0; a < 3; a++)
    {
-      for (int b = 0; b < 3; b++)
-      {
-         F[a][b] += displacement_gradients(a, 3 * point + b);
-      }
+      F[a] += ToBody(point, displacement_slopes.GetColumn(a) + 3 * point);
    }
    return F;
 }
 
-Vector3<> BodyElement::PressureGradient(int point) const
+Vector3<> BodyElement::ToBody(int point, const real_t *slope) const
 {
-   return {pressure_gradients[3 * point], pressure_gradients[3 * point + 1],
-           pressure_gradients[3 * point + 2]};
+   const real_t *const inverse = InverseJacobian(point);
+   Vector3<> gradient;
+   for (int b = 0; b < 3; b++)
+   {
+      gradient[b] = slope[0] * inverse[b] + slope[1] * inverse[3 + b] +
+                    slope[2] * inverse[6 + b];
+   }
+   return gradient;
+}
+
+Vector3<> BodyElement::ToReference(int point, const Vector3<> &vector) const
+{
+   const real_t *const inverse = InverseJacobian(point);
+   Vector3<> reference;
+   for (int c = 0; c < 3; c++)
+   {
+      reference[c] = inverse[3 * c] * vector[0] +
+                     inverse[3 * c + 1] * vector[1] +
+                     inverse[3 * c + 2] * vector[2];
+   }
+   return reference;
 }
 
 } // namespace synovia

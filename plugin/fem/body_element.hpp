@@ -10,6 +10,14 @@
 namespace synovia
 {
 
+/// Which sides the quadrature of BodyElement takes elements to have.
+enum class ElementSides
+{
+   as_meshed,
+   /// Fewer points, where sides are curved: enough for what need not be exact.
+   straight
+};
+
 /// Walks through the elements of a biphasic mesh, with what integrals over
 /// undeformed bodies need at all quadrature points of an element at once: shape
 /// functions and gradients by the undeformed coordinates, and deformation and
@@ -23,7 +31,8 @@ class BodyElement
 {
 public:
    /// Borrows @a spaces.
-   explicit BodyElement(BiphasicSpaces &spaces);
+   explicit BodyElement(BiphasicSpaces &spaces,
+                        ElementSides sides = ElementSides::as_meshed);
 
    /// How many points all elements of this rank have.
    int AllPoints() const { return begins.back(); }
@@ -45,11 +54,18 @@ public:
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
 
    /// Shape functions of the displacement: gradients, nodes x (3 x points), the
-   /// components of a point one after the other.
-   const mfem::DenseMatrix &Gradients() const { return gradients; }
+   /// components of a point one after the other. Found when asked for.
+   const mfem::DenseMatrix &Gradients();
    /// Those of the pressure, dofs x points, and their gradients likewise.
    const mfem::DenseMatrix &PressureShapes() const { return tables->p_shapes; }
-   const mfem::DenseMatrix &PressureGradients() const { return p_gradients; }
+   const mfem::DenseMatrix &PressureGradients();
+   /// The same by reference coordinates, which all elements of a shape share.
+   const mfem::DenseMatrix &Slopes() const { return tables->slopes; }
+   const mfem::DenseMatrix &PressureSlopes() const { return tables->p_slopes; }
+   /// What a vector by undeformed coordinates at a point is by reference
+   /// coordinates: its product with a gradient is that of the result with the
+   /// slope.
+   Vector3<> ToReference(int point, const Vector3<> &vector) const;
 
    /// Undeformed volume that a point stands for.
    mfem::real_t Weight(int point) const
@@ -59,7 +75,10 @@ public:
    /// F = I + grad u.
    Tensor3<> DeformationGradient(int point) const;
    mfem::real_t Pressure(int point) const { return pressures[point]; }
-   Vector3<> PressureGradient(int point) const;
+   Vector3<> PressureGradient(int point) const
+   {
+      return ToBody(point, &pressure_slopes[3 * point]);
+   }
 
 private:
    /// Of the elements of one shape, gradients on the reference element.
@@ -70,11 +89,18 @@ private:
       mfem::DenseMatrix p_shapes;
       mfem::DenseMatrix p_slopes;
    };
-   Tables Tabulate(int element);
+   Tables Tabulate(int element, ElementSides sides);
    void KeepGeometry();
-   /// slopes x inverse Jacobian, point by point.
+   /// Of a point, dxi_c / dx_b at 3 c + b.
+   const mfem::real_t *InverseJacobian(int point) const
+   {
+      return inverse_jacobians.data() +
+             9 * (begins[current] + static_cast<size_t>(point));
+   }
+   /// slopes x inverse Jacobian, point by point, and at one.
    void ToBody(const mfem::DenseMatrix &slopes,
                mfem::DenseMatrix &gradients) const;
+   Vector3<> ToBody(int point, const mfem::real_t *slope) const;
 
    BiphasicSpaces &spaces;
    std::map<mfem::Geometry::Type, Tables> tables_of;
@@ -91,12 +117,15 @@ private:
    mfem::Array<int> p_dofs;
    mfem::Vector u_values;
    mfem::Vector p_values;
+   /// Empty until they are asked for.
    mfem::DenseMatrix gradients;
    mfem::DenseMatrix p_gradients;
-   /// grad u, 3 x (3 x points).
-   mfem::DenseMatrix displacement_gradients;
+   bool gradients_known = false;
+   bool p_gradients_known = false;
+   /// By reference coordinates, (3 x points) x 3 and 3 x points.
+   mfem::DenseMatrix displacement_slopes;
+   mfem::Vector pressure_slopes;
    mfem::Vector pressures;
-   mfem::Vector pressure_gradients;
 };
 
 } // namespace synovia

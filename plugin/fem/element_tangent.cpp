@@ -46,7 +46,7 @@ Tensor3<> FlowChange(const Tangent3 &tangent, const Vector3<> &grad_p, int a)
 }
 } // namespace
 
-void ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
+bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
                              const PermeabilityLaw &permeability, real_t dt)
 {
    const DenseMatrix &gradients = element.Gradients();
@@ -64,7 +64,11 @@ void ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
    {
       const real_t weight = element.Weight(q);
       const Tensor3<> F = element.DeformationGradient(q);
-      solid.GetStress(element.Point(q), F, value, &tangent);
+      if (!(det(F) > 0.0) ||
+          !solid.GetStress(element.Point(q), F, value, &tangent))
+      {
+         return false;
+      }
       tangent -= element.Pressure(q) * CofactorDerivative(F);
       tangent = weight * tangent;
       for (int c = 0; c < 3; c++)
@@ -76,7 +80,10 @@ void ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
          }
       }
       Contract(weight * Cofactor(F), gradients, q, volume_changes.GetColumn(q));
-      permeability.GetReferential(element.Point(q), F, value, &tangent);
+      if (!permeability.GetReferential(element.Point(q), F, value, &tangent))
+      {
+         return false;
+      }
       tangent = (weight * dt) * tangent;
       value = weight * value;
       const Vector3<> grad_p = element.PressureGradient(q);
@@ -105,6 +112,7 @@ void ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
    MultABt(p_gradients, flow_changes, flow_change);
    darcy.SetSize(p_dofs);
    MultABt(p_gradients, flows, darcy);
+   return true;
 }
 
 } // namespace synovia

@@ -17,8 +17,9 @@ namespace synovia
 class ElementTangent
 {
 public:
-   /// Of the element that @a element is set to, a state that both laws allow.
-   void Compute(BodyElement &element, const SolidLaw &solid,
+   /// Of the element that @a element is set to; false if its state is one that
+   /// a law does not allow.
+   bool Compute(BodyElement &element, const SolidLaw &solid,
                 const PermeabilityLaw &permeability, mfem::real_t dt);
 
    mfem::DenseMatrix stiffness;

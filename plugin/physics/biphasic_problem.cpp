@@ -188,7 +188,8 @@ std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
                                               conditions->Springs());
    }
    return std::make_unique<TotalLagrangianForm>(
-      mesh, spaces, materials, conditions->Springs(), conditions->Followers());
+      mesh, spaces, materials, conditions->Springs(), conditions->Followers(),
+      ElementSides::straight);
 }
 
 BiphasicOperator &BiphasicProblem::Operator()
