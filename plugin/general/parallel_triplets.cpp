@@ -18,31 +18,102 @@ struct Entry
    real_t value;
 };
 
-// Sorts entries of one row by column and adds up those that meet; returns how
-// many are left, at the beginning.
-std::ptrdiff_t AddUp(Entry *begin, Entry *end)
+/// Triplets of this rank's rows, as each rank sent them.
+class LocalTriplets
 {
-   if (begin == end)
+public:
+   LocalTriplets(MPI_Comm comm, const std::vector<Triplet> &triplets,
+                 const HYPRE_BigInt *row_offsets)
+      : mine(triplets), begin(row_offsets[0]), end(row_offsets[1])
    {
-      return 0;
+      int size;
+      MPI_Comm_size(comm, &size);
+      MPI_Comm_rank(comm, &rank);
+      std::vector<HYPRE_BigInt> ends(size);
+      MPI_Allgather(&end, sizeof(HYPRE_BigInt), MPI_BYTE, ends.data(),
+                    sizeof(HYPRE_BigInt), MPI_BYTE, comm);
+      std::vector<std::vector<Triplet>> outgoing(size);
+      for (const Triplet &triplet : mine)
+      {
+         if (!IsHere(triplet))
+         {
+            const auto owner =
+               std::upper_bound(ends.begin(), ends.end(), triplet.row) -
+               ends.begin();
+            outgoing[owner].push_back(triplet);
+         }
+      }
+      others = Exchange(std::move(outgoing), comm);
    }
-   std::sort(begin, end,
-             [](const Entry &a, const Entry &b)
-             { return a.column < b.column; });
-   Entry *last = begin;
-   for (Entry *entry = begin + 1; entry != end; entry++)
+
+   /// Calls @a visit(local row, column, value) rank by rank.
+   template <typename Visit>
+   void ForEach(const Visit &visit) const
    {
-      if (entry->column == last->column)
+      for (int r = 0; r < static_cast<int>(others.size()); r++)
       {
-         last->value += entry->value;
-      }
-      else
-      {
-         *++last = *entry;
+         for (const Triplet &triplet : r == rank ? mine : others[r])
+         {
+            if (IsHere(triplet))
+            {
+               visit(static_cast<int>(triplet.row - begin), triplet.column,
+                     triplet.value);
+            }
+         }
       }
    }
-   return last + 1 - begin;
-}
+
+private:
+   bool IsHere(const Triplet &triplet) const
+   {
+      return begin <= triplet.row && triplet.row < end;
+   }
+
+   const std::vector<Triplet> &mine;
+   HYPRE_BigInt begin;
+   HYPRE_BigInt end;
+   int rank = 0;
+   /// What this rank sent to itself is left empty.
+   std::vector<std::vector<Triplet>> others;
+};
+
+/// Adds up entries of a row that meet.
+class RowSum
+{
+public:
+   RowSum(HYPRE_BigInt first_column, HYPRE_BigInt last_column)
+      : first(first_column),
+        places(std::max<HYPRE_BigInt>(0, last_column - first_column + 1), 0)
+   {
+   }
+   /// Leaves each column once, ascending, at the beginning; returns how many.
+   std::ptrdiff_t AddUp(Entry *begin, Entry *end)
+   {
+      std::ptrdiff_t count = 0;
+      for (const Entry *entry = begin; entry != end; entry++)
+      {
+         // Places are those of other rows, too, unless the column agrees.
+         int &place = places[entry->column - first];
+         if (place < count && begin[place].column == entry->column)
+         {
+            begin[place].value += entry->value;
+         }
+         else
+         {
+            place = static_cast<int>(count);
+            begin[count++] = *entry;
+         }
+      }
+      std::sort(begin, begin + count,
+                [](const Entry &a, const Entry &b)
+                { return a.column < b.column; });
+      return count;
+   }
+
+private:
+   HYPRE_BigInt first;
+   std::vector<int> places;
+};
 } // namespace
 
 std::unique_ptr<HypreParMatrix>
@@ -52,42 +123,28 @@ AssembleTriplets(MPI_Comm comm, const std::vector<Triplet> &triplets,
 {
    MFEM_VERIFY(HYPRE_AssumedPartitionCheck(),
                "hypre must be built with assumed partitions, its default");
-   int size;
-   MPI_Comm_size(comm, &size);
-   std::vector<HYPRE_BigInt> ends(size);
-   MPI_Allgather(&row_offsets[1], sizeof(HYPRE_BigInt), MPI_BYTE, ends.data(),
-                 sizeof(HYPRE_BigInt), MPI_BYTE, comm);
-   std::vector<std::vector<Triplet>> outgoing(size);
-   for (const Triplet &triplet : triplets)
-   {
-      const auto owner =
-         std::upper_bound(ends.begin(), ends.end(), triplet.row) - ends.begin();
-      outgoing[owner].push_back(triplet);
-   }
-   const std::vector<std::vector<Triplet>> incoming =
-      Exchange(std::move(outgoing), comm);
+   const LocalTriplets local(comm, triplets, row_offsets);
 
    // Sorted into rows first: sorting all at once takes several times as long.
    const int local_rows = static_cast<int>(row_offsets[1] - row_offsets[0]);
    std::vector<int> starts(local_rows + 1, 0);
-   for (const std::vector<Triplet> &part : incoming)
-   {
-      for (const Triplet &triplet : part)
+   HYPRE_BigInt first_column = columns;
+   HYPRE_BigInt last_column = -1;
+   local.ForEach(
+      [&](int row, HYPRE_BigInt column, real_t)
       {
-         starts[triplet.row - row_offsets[0] + 1]++;
-      }
-   }
+         starts[row + 1]++;
+         first_column = std::min(first_column, column);
+         last_column = std::max(last_column, column);
+      });
    std::partial_sum(starts.begin(), starts.end(), starts.begin());
    std::vector<Entry> entries(starts.back());
    std::vector<int> next(starts.begin(), starts.end() - 1);
-   for (const std::vector<Triplet> &part : incoming)
-   {
-      for (const Triplet &triplet : part)
-      {
-         entries[next[triplet.row - row_offsets[0]]++] = {triplet.column,
-                                                          triplet.value};
-      }
-   }
+   local.ForEach(
+      [&](int row, HYPRE_BigInt column, real_t value) {
+         entries[next[row]++] = {column, value};
+      });
+   RowSum sum(first_column, last_column);
    std::vector<HYPRE_BigInt> column_numbers;
    std::vector<real_t> values;
    column_numbers.reserve(entries.size());
@@ -97,7 +154,7 @@ AssembleTriplets(MPI_Comm comm, const std::vector<Triplet> &triplets,
    {
       Entry *row = entries.data() + begin;
       begin = starts[i + 1];
-      const std::ptrdiff_t length = AddUp(row, entries.data() + begin);
+      const std::ptrdiff_t length = sum.AddUp(row, entries.data() + begin);
       for (const Entry *entry = row; entry != row + length; entry++)
       {
          column_numbers.push_back(entry->column);
