@@ -75,6 +75,12 @@ KeyTable FactorizationKeys(FactorizationTuning &factorization)
    Add(keys, "stiff_fibers", factorization.stiff_fibers,
        NumberRange::AtLeast(1.0),
        "anisotropy above which \"auto\" factorizes twice as many unknowns");
+   Add(keys, "compression", factorization.compression,
+       NumberRange::From(0.0, 1.0),
+       "accuracy of blocks of low rank in unsymmetric factors; 0: none");
+   Add(keys, "compress_above", factorization.compress_above,
+       NumberRange::From(0, 1000000000),
+       "unknowns above which unsymmetric factors are compressed");
    Add(keys, "like_step", factorization.like_step, NumberRange::From(1.0, 1e6),
        "factor of time steps that may share a factorization");
    Add(keys, "other_weight", factorization.other_weight,

@@ -76,6 +76,11 @@ struct FactorizationTuning
    /// ModuliRatios::anisotropy above which `auto` factorizes twice as many
    /// unknowns: multigrid takes two or three times as many iterations there.
    mfem::real_t stiff_fibers = 100.0;
+   /// Unsymmetric matrices with more unknowns than compress_above are
+   /// factorized with blocks of low rank of this accuracy. Larger: less time
+   /// and memory for a factorization, and more iterations. 0: none are.
+   mfem::real_t compression = 1e-4;
+   int compress_above = 50000;
    /// Time steps within this factor of the one factorized for use its factors.
    /// Larger: fewer factorizations, more iterations.
    mfem::real_t like_step = 1.2;

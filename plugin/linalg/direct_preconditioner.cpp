@@ -161,11 +161,14 @@ void DirectPreconditioner::Factorize()
    }
    else
    {
-      factors =
-         MakeDirectSolver(*matrix,
-                          jacobian.IsContactSymmetric() ? MatrixKind::symmetric
-                                                        : MatrixKind::general,
-                          options);
+      const bool symmetric = jacobian.IsContactSymmetric();
+      if (!symmetric && matrix->GetGlobalNumRows() > tuning.compress_above)
+      {
+         options.compression = tuning.compression;
+      }
+      factors = MakeDirectSolver(
+         *matrix, symmetric ? MatrixKind::symmetric : MatrixKind::general,
+         options);
    }
    work.factorizations++;
 }

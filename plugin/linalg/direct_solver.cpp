@@ -66,8 +66,7 @@ std::unique_ptr<Solver> MakeDirectSolver(const HypreParMatrix &matrix,
 #ifdef SYNOVIA_HAS_MUMPS
    if (Choose(options.library) == DirectLibrary::mumps)
    {
-      solver = std::make_unique<MumpsSolver>(matrix.GetComm(), kind,
-                                             options.memory_limit);
+      solver = std::make_unique<MumpsSolver>(matrix.GetComm(), kind, options);
    }
 #endif
 #ifdef SYNOVIA_HAS_UMFPACK

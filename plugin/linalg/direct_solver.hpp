@@ -34,6 +34,11 @@ struct DirectOptions
    DirectLibrary library = DirectLibrary::automatic;
    /// Most memory that a factorization may take on a rank (MB); 0: no limit.
    int memory_limit = 0;
+   /// With MUMPS, blocks of the factors are compressed to low rank with this
+   /// relative accuracy (block low-rank factors, Amestoy et al., SIAM J Sci
+   /// Comput 37:A1451-A1474, 2015): less time and memory, and factors that are
+   /// no more than a preconditioner. 0: exact factors.
+   mfem::real_t compression = 0.0;
 };
 
 /// A factorization that failed, or a solve with it, on all ranks alike: the

@@ -18,7 +18,7 @@ using namespace mfem;
 
 namespace
 {
-// Places in ICNTL, INFO and INFOG, from 1, and what is put there.
+// Places in ICNTL, CNTL, INFO and INFOG, from 1, and what is put there.
 constexpr int error_stream = 1;
 constexpr int warning_stream = 2;
 constexpr int summary_stream = 3;
@@ -28,6 +28,8 @@ constexpr int right_side_input = 20;
 constexpr int solution_output = 21;
 constexpr int memory_per_rank = 23;
 constexpr int solution_size = 23;
+constexpr int low_rank_blocks = 35;
+constexpr int low_rank_accuracy = 7;
 constexpr int status = 1;
 constexpr int detail = 2;
 constexpr int estimated_memory = 16;
@@ -38,6 +40,7 @@ constexpr MUMPS_INT symmetric_indefinite = 2;
 constexpr MUMPS_INT distributed_entries = 3;
 constexpr MUMPS_INT distributed_right_side = 10;
 constexpr MUMPS_INT distributed_solution = 1;
+constexpr MUMPS_INT compressed_factors = 2;
 
 MUMPS_INT Symmetry(MatrixKind kind)
 {
@@ -58,7 +61,8 @@ std::string Megabytes(double amount)
 }
 } // namespace
 
-MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit)
+MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind,
+                             const DirectOptions &options)
 {
    data.sym = Symmetry(kind);
    data.par = 1;
@@ -75,7 +79,12 @@ MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit)
    set(matrix_input, distributed_entries);
    set(right_side_input, distributed_right_side);
    set(solution_output, distributed_solution);
-   set(memory_per_rank, memory_limit);
+   set(memory_per_rank, options.memory_limit);
+   if (options.compression > 0.0)
+   {
+      set(low_rank_blocks, compressed_factors);
+      data.cntl[low_rank_accuracy - 1] = options.compression;
+   }
 }
 
 bool MumpsInstance::Run(MumpsJob job)

@@ -37,8 +37,7 @@ enum class MumpsStatus
 class MumpsInstance
 {
 public:
-   /// @a memory_limit in MB on each rank, 0 for none.
-   MumpsInstance(MPI_Comm comm, MatrixKind kind, int memory_limit);
+   MumpsInstance(MPI_Comm comm, MatrixKind kind, const DirectOptions &options);
    ~MumpsInstance() { Run(MumpsJob::finish); }
    MumpsInstance(const MumpsInstance &) = delete;
    MumpsInstance &operator=(const MumpsInstance &) = delete;

@@ -48,8 +48,9 @@ struct Entries
 };
 } // namespace
 
-MumpsSolver::MumpsSolver(MPI_Comm comm_, MatrixKind kind_, int memory_limit_)
-   : comm(comm_), kind(kind_), memory_limit(memory_limit_)
+MumpsSolver::MumpsSolver(MPI_Comm comm_, MatrixKind kind_,
+                         const DirectOptions &options_)
+   : comm(comm_), kind(kind_), options(options_)
 {
 }
 
@@ -68,7 +69,7 @@ void MumpsSolver::SetOperator(const Operator &op)
    if (reorder)
    {
       instance.reset();
-      instance = std::make_unique<MumpsInstance>(comm, kind, memory_limit);
+      instance = std::make_unique<MumpsInstance>(comm, kind, options);
    }
    Entries entries(matrix, kind != MatrixKind::general);
    instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
@@ -100,7 +101,7 @@ bool MumpsSolver::Factorize()
       const MumpsStatus why = instance->Status();
       const bool margin_helps =
          why == MumpsStatus::small_index_workspace ||
-         (why == MumpsStatus::small_workspace && memory_limit == 0);
+         (why == MumpsStatus::small_workspace && options.memory_limit == 0);
       if (!margin_helps || instance->WorkspaceMargin() >= most_margin)
       {
          return false;

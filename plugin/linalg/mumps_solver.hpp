@@ -21,8 +21,7 @@ class MumpsInstance;
 class MumpsSolver final : public mfem::Solver
 {
 public:
-   /// @a memory_limit in MB on each rank, 0 for none.
-   MumpsSolver(MPI_Comm comm, MatrixKind kind, int memory_limit);
+   MumpsSolver(MPI_Comm comm, MatrixKind kind, const DirectOptions &options);
    /// Collective.
    ~MumpsSolver() override;
 
@@ -41,7 +40,7 @@ private:
 
    MPI_Comm comm;
    MatrixKind kind;
-   int memory_limit;
+   DirectOptions options;
    std::unique_ptr<MumpsInstance> instance;
    std::uint64_t pattern = 0;
    HYPRE_BigInt first_row = 0;
