@@ -40,6 +40,14 @@ KeyTable ContactKeys(ContactTuning &contact)
    Add(keys, "prediction_reach", contact.prediction_reach,
        NumberRange::From(0.0, 100.0),
        "how far multipliers are extrapolated, in last intervals");
+   Add(keys, "drift_of_tolerance", contact.drift_of_tolerance,
+       NumberRange::AtLeast(0.0),
+       "in finite deformation, change of a gap up to which no new search is "
+       "followed within a solve, in gap tolerances");
+   Add(keys, "drift_of_gap", contact.drift_of_gap, NumberRange::AtLeast(0.0),
+       "part of the gap that is added to it");
+   Add(keys, "drift_of_area", contact.drift_of_area, NumberRange::AtLeast(0.0),
+       "the same for the area around a vertex, as a part of it");
    return keys;
 }
 

@@ -20,12 +20,13 @@ const ContactOptions &Verified(const ContactOptions &options,
 std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
                                                   const ContactOptions &options,
                                                   Deformation deformation,
-                                                  real_t gap_tolerance)
+                                                  real_t gap_tolerance,
+                                                  const ContactTuning &tuning)
 {
    if (deformation == Deformation::finite)
    {
       return std::make_unique<FiniteConstraint>(
-         geometry, options.initial_overlap, gap_tolerance);
+         geometry, options.initial_overlap, gap_tolerance, tuning);
    }
    return std::make_unique<InfinitesimalConstraint>(
       geometry, options.configuration, options.initial_overlap);
@@ -44,8 +45,8 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
                               Verified(options, name))),
      geometry(name, spaces, source_boundary, destination_boundary, scales,
               options, tuning),
-     constraint(
-        MakeConstraint(geometry, options, deformation, scales.gap_tolerance)),
+     constraint(MakeConstraint(geometry, options, deformation,
+                               scales.gap_tolerance, tuning)),
      enforcement(*constraint, geometry.Destination(),
                  geometry.DestinationAreas(), scales, options, tuning)
 {

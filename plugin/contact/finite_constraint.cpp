@@ -11,9 +11,10 @@ using namespace mfem;
 
 FiniteConstraint::FiniteConstraint(ContactGeometry &geometry_,
                                    InitialOverlap initial_overlap_,
-                                   real_t gap_tolerance_)
+                                   real_t gap_tolerance_,
+                                   const ContactTuning &tuning_)
    : geometry(geometry_), initial_overlap(initial_overlap_),
-     gap_tolerance(gap_tolerance_), gaps(MakeGap()),
+     gap_tolerance(gap_tolerance_), tuning(tuning_), gaps(MakeGap()),
      removed_overlap(geometry.DestinationAreas().Size())
 {
    removed_overlap = 0.0;
@@ -83,11 +84,7 @@ bool FiniteConstraint::HasDrifted()
 
 bool FiniteConstraint::Differs(const FiniteGap &other) const
 {
-   // A part of what is left open anyway, and of gaps that are open. What is far
-   // from touching has no say.
-   constexpr real_t part_of_tolerance = 0.5;
-   constexpr real_t part_of_gap = 0.01;
-   constexpr real_t part_of_area = 0.01;
+   // What is far from touching has no say.
    const GapOperators &now = gaps->Operators();
    const GapOperators &then = other.Operators();
    const auto is_near = [](const FiniteGap &at, int j)
@@ -104,9 +101,9 @@ bool FiniteConstraint::Differs(const FiniteGap &other) const
       const real_t gap = gaps->Gap()[j];
       const real_t gap_change = std::abs(other.Gap()[j] - gap);
       const real_t area_change = std::abs(then.area[j] - now.area[j]);
-      if (gap_change >
-             part_of_tolerance * gap_tolerance + part_of_gap * std::abs(gap) ||
-          area_change > part_of_area * now.area[j])
+      if (gap_change > tuning.drift_of_tolerance * gap_tolerance +
+                          tuning.drift_of_gap * std::abs(gap) ||
+          area_change > tuning.drift_of_area * now.area[j])
       {
          return true;
       }

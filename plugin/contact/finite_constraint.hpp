@@ -3,6 +3,7 @@
 #include "synovia/contact/contact_constraint.hpp"
 #include "synovia/contact/contact_geometry.hpp"
 #include "synovia/contact/finite_gap.hpp"
+#include "synovia/general/solver_tuning.hpp"
 
 namespace synovia
 {
@@ -17,7 +18,7 @@ class FiniteConstraint : public ContactConstraint
 public:
    /// Borrows @a geometry. @a gap_tolerance: what gaps are closed to (length).
    FiniteConstraint(ContactGeometry &geometry, InitialOverlap initial_overlap,
-                    mfem::real_t gap_tolerance);
+                    mfem::real_t gap_tolerance, const ContactTuning &tuning);
 
    void SearchReference() override;
    void SearchAt(const mfem::Vector &u) override;
@@ -55,6 +56,7 @@ private:
    ContactGeometry &geometry;
    InitialOverlap initial_overlap;
    mfem::real_t gap_tolerance;
+   ContactTuning tuning;
    std::unique_ptr<FiniteGap> gaps;
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;

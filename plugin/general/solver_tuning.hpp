@@ -41,6 +41,14 @@ struct ContactTuning
    /// How far multipliers are extrapolated in time, in intervals between the
    /// last two states; from farther ahead the last ones are taken. 0: always.
    mfem::real_t prediction_reach = 1.5;
+   /// In finite deformation, points that have gone to other faces are followed
+   /// there within a solve if a gap of what touches nearly, or its area, would
+   /// change by more than these parts: of the gap tolerance and of the gap
+   /// itself, added, and of the area. Larger: fewer searches; the next step
+   /// makes up for them.
+   mfem::real_t drift_of_tolerance = 0.5;
+   mfem::real_t drift_of_gap = 0.01;
+   mfem::real_t drift_of_area = 0.01;
 };
 
 /// Of Newton's method.

@@ -132,7 +132,7 @@ TEST_CASE("Every tuning constant has a key, and its default is the struct's")
    const std::vector<std::string> keys = TuningKeys();
    // A member without a key changes the size of the struct only.
    CHECK(sizeof(SolverTuning) <= keys.size() * sizeof(real_t));
-   CHECK(keys.size() == 42);
+   CHECK(keys.size() == 45);
    const CaseFile standard = Parsed({});
    for (const std::string &key : keys)
    {
@@ -196,6 +196,32 @@ TEST_CASE("Tuning reaches the contact pair")
    CHECK(RunCase({source + "1.0"}).sealed == standard.sealed);
    CHECK(RunCase({source + "1.0"}).sealed_source == 0.0);
    CHECK(RunCase({source + "0.0"}).sealed_source == 4.0);
+}
+
+TEST_CASE("Tuning reaches contact that slides in finite deformation")
+{
+   const std::vector<std::string> sliding = {
+      "physics.deformation=\"finite\"",
+      "material.0.solid={model=\"neo_hookean\", E=0.5, nu=0.1}",
+      "boundary.1.displacement=[{times=[0, 4], values=[0, 0.15]}, 0, "
+      "{times=[0, 4], values=[0, -0.02]}]",
+      // All of the box stays covered.
+      "contact.0.source=[\"lower_z1\"]",
+      "contact.0.destination=[\"upper_z0\"]"};
+   const auto searches = [&](const std::vector<std::string> &more)
+   {
+      std::vector<std::string> settings(sliding);
+      settings.insert(settings.end(), more.begin(), more.end());
+      return RunCase(settings).work.searches;
+   };
+   const std::string drift = "solver.tuning.contact.drift_of_";
+   // One for each of the four steps: the first one takes points to other faces,
+   // where gaps and areas are the same but for round-off.
+   CHECK(searches({}) == 4);
+   CHECK(searches({drift + "area=0"}) > 4);
+   CHECK(searches({drift + "tolerance=0", drift + "gap=0"}) > 4);
+   CHECK(searches({drift + "area=0", drift + "tolerance=0", drift + "gap=0",
+                   "solver.tuning.newton.max_searches=0"}) == 4);
 }
 
 TEST_CASE("Tuning reaches the factorization, and the choice of the method")
