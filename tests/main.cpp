@@ -20,7 +20,7 @@
 #include <sstream>
 #include <thread>
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SYNOVIA_SANITIZE
 #include <sanitizer/lsan_interface.h>
 
 // At exit, what OpenMPI has allocated looks lost, since MPI_Finalize unloads
@@ -128,7 +128,7 @@ CATCH_REGISTER_LISTENER(RankListener)
 
 void InitializeMpi(int argc, char *argv[])
 {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SYNOVIA_SANITIZE
    const __lsan::ScopedDisabler openmpi_loses_a_few_strings;
 #endif
    mfem::Mpi::Init(argc, argv);
@@ -140,7 +140,7 @@ void InitializeMpi(int argc, char *argv[])
 /// Has this rank lost memory so far? It says where.
 bool HasLeaks()
 {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SYNOVIA_SANITIZE
    return __lsan_do_recoverable_leak_check() != 0;
 #else
    return false;
