@@ -2,9 +2,10 @@
 """Shipped cases in finite deformation with loads times 1e-4.
 
 Requirements: forces, pressures, strains and fluid are those of infinitesimal
-deformation to 1e-4; lines and fields of finite deformation have volume ratio,
-porosity and logarithmic strains, and those of infinitesimal deformation don't;
-a run of finite deformation is not warned of strains beyond linear theory.
+deformation to 1e-4, also with contact of flat and of round surfaces; lines and
+fields of finite deformation have volume ratio, porosity and logarithmic
+strains, and those of infinitesimal deformation don't; a run of finite
+deformation is not warned of strains beyond linear theory.
 """
 
 from __future__ import annotations
@@ -22,7 +23,36 @@ from program_checks import (  # noqa: E402
     PROGRAMS, SOURCE, check, finish, history, make_mesh, run_program)
 
 CASES = ("confined_compression", "unconfined_compression")
+# With contact: what makes a coarse mesh and a few steps, and the columns to
+# compare. Forces across the axis and fluid that has long drained are round-off
+# of the others.
+CONTACT = {
+    "two_columns": (
+        ("boxes.py", "two_columns", "--size", "2"),
+        ("time.step=125", "time.end=500", 'time.scheme="backward_euler"'),
+        ("reaction.upper_top.z", "contact.columns.force_z",
+         "contact.columns.area", "contact.columns.peak_traction",
+         "contact.columns.peak_pressure", "contact.columns.fluid_exchange",
+         "fluid.growth", "fluid.peak_pressure", "strain.max_principal")),
+    "indentation_finite": (
+        ("indentation.py", "--size", "3"),
+        ("time.step=250", "time.end=500"),
+        ("reaction.bone.x", "reaction.bone.z",
+         "contact.indenter-cartilage.force_z",
+         "contact.indenter-cartilage.area",
+         "contact.indenter-cartilage.peak_traction",
+         "contact.indenter-cartilage.fluid_exchange", "fluid.growth",
+         "fluid.peak_pressure", "strain.max_principal")),
+    "hertz": (
+        ("hertz.py", "--size", "1.5"), ("time.step=2e5",),
+        ("reaction.lower_bottom.x", "reaction.lower_bottom.z",
+         "travel.upper_top", "contact.bodies.force_z", "contact.bodies.area",
+         "contact.bodies.peak_traction", "fluid.growth",
+         "strain.max_principal"))}
+STEPS = ("time.step=62.5", "time.end=500", "output.fields_every=8")
 SMALL = 1e-4
+# What contact may leave, far below what the loads do.
+CONTACT_TOLERANCES = {"gap_tolerance": 1e-11, "pressure_tolerance": 1e-6}
 TOLERANCE = 1e-4
 FINITE_FIELDS = ("principal_strain", "volume_ratio", "porosity",
                  "largest_stress_direction", "smallest_stress_direction")
@@ -50,34 +80,47 @@ def scaled(load: object, factor: float) -> object:
     return load if isinstance(load, str) else factor * load
 
 
+def laws(material: dict, finite: bool) -> dict[str, dict]:
+    """The material's laws, or their counterparts in the other deformation."""
+    solid, permeability = material["solid"], material["permeability"]
+    if finite == (solid["model"] == "neo_hookean"):
+        return {}
+    check(solid["model"] in ("isotropic", "neo_hookean")
+          and permeability["model"] == "constant", "the laws have counterparts")
+    return {"solid": {**solid,
+                      "model": "neo_hookean" if finite else "isotropic"}}
+
+
 def overrides(case: dict, factor: float, finite: bool) -> list[str]:
-    """What makes a case one of scaled loads, and of finite deformation."""
-    changes = []
+    """What makes a case one of scaled loads, and of this deformation."""
+    deformation = "finite" if finite else "infinitesimal"
+    changes = [f'physics.deformation="{deformation}"']
     for i, boundary in enumerate(case["boundary"]):
         for key in ("displacement", "pressure", "traction", "normal_traction",
                     "normal_flux"):
             if key in boundary:
                 changes.append(f"boundary.{i}.{key}="
                                + inline(scaled(boundary[key], factor)))
-    if finite:
-        changes.append('physics.deformation="finite"')
-        for i, material in enumerate(case["material"]):
-            check(material["solid"]["model"] == "isotropic",
-                  "the solid has a counterpart in finite deformation")
-            solid = {**material["solid"], "model": "neo_hookean"}
-            changes.append(f"material.{i}.solid={inline(solid)}")
+        if "force" in boundary:
+            curve = scaled(boundary["force"]["curve"], factor)
+            changes.append(f"boundary.{i}.force.curve={inline(curve)}")
+    for i, material in enumerate(case["material"]):
+        changes += [f"material.{i}.{key}={inline(law)}"
+                    for key, law in laws(material, finite).items()]
+    changes += [f"contact.{i}.{key}={value}"
+                for i in range(len(case.get("contact", [])))
+                for key, value in CONTACT_TOLERANCES.items()]
     return changes
 
 
 class Run:
     def __init__(self, directory: pathlib.Path, name: str, factor: float,
-                 finite: bool) -> None:
+                 finite: bool, steps: tuple[str, ...] = STEPS) -> None:
         path = SOURCE / "miniapps" / "cases" / f"{name}.toml"
         case = tomllib.loads(path.read_text())
         self.finite = finite
         self.output = directory / f"{name}-{factor}-{finite}"
-        settings = ["time.step=62.5", "time.end=500", "output.fields_every=8",
-                    f'mesh.file="{directory / (name + ".msh")}"']
+        settings = [f'mesh.file="{directory / (name + ".msh")}"', *steps]
         command = [PROGRAMS / "synovia", path, "--output", self.output]
         for setting in settings + overrides(case, factor, finite):
             command += ["--set", setting]
@@ -135,12 +178,27 @@ def check_small(directory: pathlib.Path, name: str) -> None:
     check("porosity" not in linear.field_names(), "infinitesimal ones have none")
 
 
+def check_contact(directory: pathlib.Path, name: str, steps: tuple[str, ...],
+                  columns: tuple[str, ...]) -> None:
+    steps += ("output.fields_every=0", "output.line=[]")
+    linear = Run(directory, name, SMALL, False, steps)
+    finite = Run(directory, name, SMALL, True, steps)
+    check(len(linear.rows) == len(finite.rows) >= 2,
+          f"both take {len(linear.rows)} steps")
+    for column in columns:
+        error = difference(finite.rows, linear.rows, column)
+        check(error < TOLERANCE, f"{column} differs by {error:.1e}")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         directory = pathlib.Path(folder)
         for name in CASES:
             make_mesh("boxes.py", directory / f"{name}.msh", name)
             check_small(directory, name)
+        for name, (mesh, steps, columns) in CONTACT.items():
+            make_mesh(mesh[0], directory / f"{name}.msh", *mesh[1:])
+            check_contact(directory, name, steps, columns)
         large = Run(directory, "confined_compression", 2.0, True)
         check("linear theory" not in large.printed and
               "largest logarithmic strain -" in large.printed,
