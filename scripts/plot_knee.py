@@ -418,6 +418,9 @@ def strain_note(knee: Knee) -> str:
     strains = knee.strains()
     if strains is None or abs(strains[0]) <= knee_run.LARGE_STRAIN:
         return ""
+    if knee.finite:
+        return ("Finite deformation: the largest logarithmic principal strain "
+                f"is {strains[0]:.2f}, the smallest det F {strains[1]:.2f}.")
     return ("Infinitesimal strain beyond its limits: the largest principal "
             f"strain is {strains[0]:.2f}, the smallest det F {strains[1]:.2f}. "
             "Shapes, pressures and stresses of the menisci are estimates.")

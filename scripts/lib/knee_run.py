@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import pathlib
+import tomllib
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -73,6 +75,15 @@ class Knee:
                 "only at "
                 f"{', '.join(f'{t:g}' for t in self.times) or 'no time'}")
         return time
+
+    @functools.cached_property
+    def finite(self) -> bool:
+        """Whether the run was one of finite deformation."""
+        file = pathlib.Path(self.out.directory) / "case.toml"
+        if not file.exists():
+            return False
+        case = tomllib.loads(file.read_text(encoding="utf-8"))
+        return case.get("physics", {}).get("deformation") == "finite"
 
     def stopped_early(self) -> bool:
         return self.time < LOADED - NEAR_ENOUGH
