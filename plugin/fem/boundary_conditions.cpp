@@ -136,6 +136,21 @@ void BoundaryConditions::DriveByForce(const Array<int> &boundary,
    AddCorners(force);
 }
 
+void BoundaryConditions::AddRigidBody(const RigidBody &body)
+{
+   const RigidBodyOptions &options = body.options;
+   const std::string problem = Contradiction(options, deformation);
+   if (!problem.empty())
+   {
+      throw Error("the rigid body \"" + body.name + "\": " + problem);
+   }
+   rigid_bodies.push_back(body);
+   for (int i = 0; i < 6; i++)
+   {
+      AddCorners(options.IsFree(i) ? options.load[i] : *options.prescribed[i]);
+   }
+}
+
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
                                        const LoadCurve &value)
 {

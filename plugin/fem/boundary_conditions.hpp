@@ -2,6 +2,7 @@
 
 #include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/fem/follower_loads.hpp"
+#include "synovia/fem/rigid_body.hpp"
 #include "synovia/fem/rigid_surfaces.hpp"
 #include "synovia/fem/spring_foundation.hpp"
 #include "synovia/general/load_curve.hpp"
@@ -65,6 +66,10 @@ public:
                      const mfem::Vector &direction, const LoadCurve &force,
                      const std::string &name = "");
 
+   /// Ties a boundary to a rigid body, as RigidTies has it. Throws Error for a
+   /// load or a spring on a prescribed freedom.
+   void AddRigidBody(const RigidBody &body);
+
    /// Outward relative flux -kappa grad p . n (length / time). A curve follows
    /// finite deformation; a coefficient is per undeformed area.
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
@@ -93,6 +98,9 @@ public:
    const std::vector<SpringFoundation> &Springs() const { return springs; }
 
    const std::vector<DrivenSurface> &DrivenSurfaces() const { return driven; }
+
+   const std::vector<RigidBody> &RigidBodies() const { return rigid_bodies; }
+   Deformation GetDeformation() const { return deformation; }
 
    /// Where load curves have corners, ascending, each once.
    const std::vector<mfem::real_t> &Corners() const { return corners; }
@@ -148,6 +156,7 @@ private:
    std::vector<CurveLoad> mass_loads;
    std::vector<SpringFoundation> springs;
    std::vector<DrivenSurface> driven;
+   std::vector<RigidBody> rigid_bodies;
    FieldLoad momentum_form;
    FieldLoad mass_form;
    std::vector<mfem::real_t> corners;

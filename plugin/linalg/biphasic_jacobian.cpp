@@ -29,19 +29,25 @@ BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
                                    const Array<int> &offsets_,
                                    const Array<int> &u_dofs_,
                                    const ContactTerms &contact_,
-                                   const RigidSurfaces *rigid_)
+                                   const RigidSurfaces *rigid_,
+                                   const TieTangent *ties_)
    : Operator(offsets_.Last()), original(matrices_),
      reduced(rigid_
                 ? std::make_unique<VolumeMatrices>(rigid_->Reduce(matrices_))
                 : nullptr),
      matrices(reduced ? *reduced : matrices_), offsets(offsets_),
-     u_dofs(u_dofs_), rigid(rigid_), contact(contact_, rigid_)
+     u_dofs(u_dofs_), rigid(rigid_), ties(ties_), contact(contact_, rigid_)
 {
    if (rigid)
    {
       u_dofs.Append(rigid->Idle());
-      u_dofs.Sort();
    }
+   if (ties)
+   {
+      u_dofs.Append(ties->Ties().Dofs());
+   }
+   u_dofs.Sort();
+   u_dofs.Unique();
 }
 
 void BiphasicJacobian::SetTimeStep(real_t dt_)
@@ -149,14 +155,30 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    p_free.SetSubVector(p_dofs, 0.0);
    u_free = x_u;
    u_free.SetSubVector(u_dofs, 0.0);
+   Vector amounts;
+   if (ties)
+   {
+      amounts = ties->Ties().Gather(x_u);
+      ties->Move(amounts, u_free);
+   }
    flow->Mult(-1.0, p_free, 0.0, y_p);
    AddContactMass(-dt, &u_free, &p_free, y_p);
    matrices.stiffness->Mult(u_free, y_u);
    AddContactForces(u_free, y_u);
    matrices.divergence->Mult(-1.0, u_free, 1.0, y_p);
    matrices.divergence_transpose->Mult(-1.0, p_free, 1.0, y_u);
+   Vector on_freedoms;
+   if (ties)
+   {
+      on_freedoms = ties->Collect(y_u);
+      ties->Stiffness().AddMult(amounts, on_freedoms);
+   }
    CopyEntries(u_dofs, x_u, y_u);
    CopyEntries(p_dofs, x_p, y_p);
+   if (ties)
+   {
+      ties->Ties().Scatter(on_freedoms, y_u);
+   }
    y_u.SyncAliasMemory(y);
    y_p.SyncAliasMemory(y);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/fem/tie_tangent.hpp"
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/reduced_contact.hpp"
 
@@ -20,17 +21,24 @@ namespace synovia
 /// active set costs nothing here. In finite deformation the matrices follow the
 /// state, and B in the second row has the change of the flow beside it.
 ///
+/// Where surfaces are tied to rigid bodies, the equations are those of
+/// TieTangent: the slots of its free freedoms are unknowns, all other tied dofs
+/// count as prescribed. The parts, such as DisplacementBlock(), hold all tied
+/// dofs, slots included.
+///
 /// Large because preconditioners ask for its parts, each in another way.
 class BiphasicJacobian : public mfem::Operator
 {
 public:
    /// Borrows all arguments but @a u_dofs, the prescribed true dofs. The idle
-   /// dofs of @a rigid, null where nothing is driven, count as prescribed. The
-   /// factors of @a contact may be set later, with a call of ContactChanged().
+   /// dofs of @a rigid, null where nothing is driven, count as prescribed.
+   /// @a ties is null where nothing is tied. The factors of @a contact may be
+   /// set later, with a call of ContactChanged().
    BiphasicJacobian(const VolumeMatrices &matrices,
                     const mfem::Array<int> &offsets,
                     const mfem::Array<int> &u_dofs, const ContactTerms &contact,
-                    const RigidSurfaces *rigid = nullptr);
+                    const RigidSurfaces *rigid = nullptr,
+                    const TieTangent *ties = nullptr);
 
    /// To be called when contact factors were replaced or have other entries;
    /// not when only weights have changed. Collective.
@@ -73,6 +81,8 @@ public:
    /// Of all pairs, for reduced displacements.
    const ContactTerms &Contact() const { return contact.Terms(); }
    const VolumeMatrices &Volume() const { return matrices; }
+   /// Null where nothing is tied.
+   const TieTangent *Ties() const { return ties; }
    bool IsContactSymmetric() const;
 
    /// K + sum G^T W G, with other @a weights W of the gaps, and unit rows and
@@ -102,6 +112,7 @@ private:
    const mfem::Array<int> &offsets;
    mfem::Array<int> u_dofs;
    const RigidSurfaces *rigid;
+   const TieTangent *ties;
    ReducedContact contact;
    mfem::Array<int> p_dofs;
    mfem::real_t dt = 0.0;

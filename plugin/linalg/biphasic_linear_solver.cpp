@@ -1,8 +1,9 @@
 #include "synovia/linalg/biphasic_linear_solver.hpp"
 #include "synovia/general/reduce.hpp"
-#include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/block_amg_preconditioner.hpp"
+#include "synovia/linalg/bordered_preconditioner.hpp"
 #include "synovia/linalg/direct_preconditioner.hpp"
+#include "synovia/linalg/scaled_equations.hpp"
 
 #include <cmath>
 
@@ -13,46 +14,6 @@ using namespace mfem;
 
 namespace
 {
-/// y = D A D x, D being 1 for displacements and a factor for pressures.
-class ScaledOperator2x2 : public Operator
-{
-public:
-   ScaledOperator2x2(const Operator &inner_, int pressure_begin_,
-                     real_t factor_)
-      : Operator(inner_.Height()), inner(inner_),
-        pressure_begin(pressure_begin_), factor(factor_)
-   {
-   }
-   void Mult(const Vector &x, Vector &y) const override
-   {
-      scaled = x;
-      ScaleFrom(pressure_begin, factor, scaled);
-      inner.Mult(scaled, y);
-      ScaleFrom(pressure_begin, factor, y);
-   }
-
-private:
-   const Operator &inner;
-   int pressure_begin;
-   real_t factor;
-   mutable Vector scaled;
-};
-
-/// A preconditioner in scaled unknowns.
-class ScaledSolver : public Solver
-{
-public:
-   ScaledSolver(const Operator &inner, int pressure_begin, real_t factor)
-      : Solver(inner.Height()), scaled(inner, pressure_begin, factor)
-   {
-   }
-   void SetOperator(const Operator &) override {}
-   void Mult(const Vector &x, Vector &y) const override { scaled.Mult(x, y); }
-
-private:
-   ScaledOperator2x2 scaled;
-};
-
 real_t MeanDiagonal(const HypreParMatrix &matrix)
 {
    Vector diagonal(matrix.Height());
@@ -100,14 +61,24 @@ BiphasicLinearSolver::~BiphasicLinearSolver() = default;
 std::unique_ptr<BiphasicPreconditioner>
 BiphasicLinearSolver::MakePreconditioner() const
 {
+   std::unique_ptr<BiphasicPreconditioner> made;
    if (options.method == LinearMethod::direct)
    {
-      return std::make_unique<DirectPreconditioner>(
+      made = std::make_unique<DirectPreconditioner>(
          jacobian, comm, options.renew_after, options.direct,
          tuning.factorization);
    }
-   return std::make_unique<BlockAmgPreconditioner>(
-      jacobian, comm, options.direct, tuning.multigrid);
+   else
+   {
+      made = std::make_unique<BlockAmgPreconditioner>(
+         jacobian, comm, options.direct, tuning.multigrid);
+   }
+   if (jacobian.Ties())
+   {
+      made = std::make_unique<BorderedPreconditioner>(
+         jacobian, comm, force_per_volume, std::move(made));
+   }
+   return made;
 }
 
 WorkCounts BiphasicLinearSolver::Work() const

@@ -76,8 +76,7 @@ bool AugmentedNewton::SolveContact(ImplicitStage &stage,
          return false;
       }
       stage.from_start = false;
-      stage.u += step.GetBlock(0);
-      stage.p += step.GetBlock(1);
+      equations.Add(1.0, step, stage);
       equations.EvaluateContact(stage);
       contact.Update(stage, ContactStiffness::penalty);
    }

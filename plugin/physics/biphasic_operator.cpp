@@ -1,6 +1,11 @@
 #include "synovia/physics/biphasic_operator.hpp"
+#include "synovia/general/error.hpp"
 #include "synovia/general/phase_timer.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
@@ -15,6 +20,35 @@ MakeTimed(real_t &counter,
 {
    const PhaseTimer timer(counter);
    return make_bodies();
+}
+
+// Throws Error where a stage's rigid bodies displace points otherwise than
+// prescribed, as u has it.
+void VerifyTies(const RigidTies &ties, const Array<int> &prescribed,
+                const Vector &u, const ImplicitStage &stage)
+{
+   // Of the displacement.
+   constexpr real_t alike = 1e-8;
+   MPI_Comm comm = ties.GetComm();
+   real_t difference = 0.0;
+   real_t size = 0.0;
+   for (const int dof : ties.Dofs())
+   {
+      size = std::max(size, std::abs(stage.u[dof]));
+      if (prescribed.FindSorted(dof) >= 0)
+      {
+         difference = std::max(difference, std::abs(u[dof] - stage.u[dof]));
+      }
+   }
+   size = MaxOverRanks(size, comm);
+   if (AnyRank(difference > alike * size, comm))
+   {
+      throw Error("at points that are tied to a rigid body, another "
+                  "displacement is prescribed than the body's, by up to " +
+                  ToText(MaxOverRanks(difference, comm)) +
+                  " at t = " + ToText(stage.time) +
+                  "; prescribe the same, or leave it free");
+   }
 }
 } // namespace
 
@@ -38,6 +72,7 @@ BiphasicOperator::BiphasicOperator(
    balance.support.SetSize(spaces.Offsets()[1]);
    balance.support = 0.0;
    record.work.assemblies++;
+   poses = equations.Ties().Fit(start.displacement, equations.Ties().Rest());
    AcceptStep();
 }
 
@@ -80,6 +115,8 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    rate = k;
    rate_dt = dt;
    balance = equations.Balance(stage);
+   poses = stage.poses;
+   equations.Ties().Shorten(poses);
 }
 
 ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
@@ -118,6 +155,12 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    }
    conditions.SetDisplacement(stage.time, stage.u);
    conditions.SetPressure(stage.time, stage.p);
+   const RigidTies &ties = equations.Ties();
+   stage.poses = ties.Fit(stage.u, poses);
+   ties.Prescribe(stage.time, stage.poses);
+   const Vector prescribed(stage.u);
+   ties.Write(stage.poses, stage.u);
+   VerifyTies(ties, conditions.DisplacementDofs(), prescribed, stage);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
    const Vector pressure_rate(rate, nu, np);
    equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
@@ -139,6 +182,7 @@ void BiphasicOperator::AcceptStep()
    accepted.rate_dt = rate_dt;
    accepted.started = started;
    accepted.balance = balance;
+   accepted.poses = poses;
    accepted.drained = equations.DrainedDofs();
    for (ContactPair *pair : pairs)
    {
@@ -161,6 +205,7 @@ void BiphasicOperator::RejectStep()
    rate_dt = accepted.rate_dt;
    started = accepted.started;
    balance = accepted.balance;
+   poses = accepted.poses;
    equations.SetDrainedDofs(accepted.drained);
    for (ContactPair *pair : pairs)
    {
@@ -177,7 +222,17 @@ void BiphasicOperator::Archive(StateArchive &archive)
    archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
    archive.Number("rate.length", accepted.rate_dt);
    archive.Flag("started", accepted.started);
-   if (equations.Rigid().Any())
+   const RigidTies &ties = equations.Ties();
+   for (int b = 0; b < ties.Bodies(); b++)
+   {
+      for (int i = 0; i < 6; i++)
+      {
+         archive.Number("rigid_body." + ties.Name(b) + "." + std::to_string(i),
+                        accepted.poses[b][i]);
+      }
+   }
+   const bool may_be_pushed = equations.Rigid().Any() || ties.Any();
+   if (may_be_pushed)
    {
       archive.Field("start.displacement", spaces.Displacement(),
                     start.displacement);
@@ -191,7 +246,8 @@ void BiphasicOperator::Archive(StateArchive &archive)
       rate = accepted.rate;
       rate_dt = accepted.rate_dt;
       started = accepted.started;
-      if (equations.Rigid().Any())
+      poses = accepted.poses;
+      if (may_be_pushed)
       {
          for (ContactPair *pair : pairs)
          {

@@ -71,6 +71,8 @@ public:
    }
    /// Of the last stage.
    const StageBalance &Balance() const { return balance; }
+   /// Where rigid bodies are, of the last stage.
+   const RigidPoses &Poses() const { return poses; }
 
 private:
    /// The stage from @a x on: loads, supports, and a first guess by the last
@@ -91,12 +93,14 @@ private:
    mfem::real_t rate_dt = 0.0;
    bool started = false;
    StageBalance balance;
+   RigidPoses poses;
    struct
    {
       mfem::Vector rate;
       mfem::real_t rate_dt = 0.0;
       bool started = false;
       StageBalance balance;
+      RigidPoses poses;
       mfem::Array<int> drained;
    } accepted;
 };

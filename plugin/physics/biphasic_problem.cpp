@@ -119,6 +119,14 @@ void BiphasicProblem::DriveByForce(const std::vector<std::string> &boundaries,
    }
 }
 
+void BiphasicProblem::AddRigidBody(const std::string &name,
+                                   const std::vector<std::string> &boundaries,
+                                   const RigidBodyOptions &options)
+{
+   VerifyOpen();
+   conditions->AddRigidBody({name, Boundaries(boundaries), options});
+}
+
 void BiphasicProblem::AddContact(const std::string &source,
                                  const std::string &destination,
                                  const ContactOptions &options,
@@ -233,6 +241,20 @@ Point3 BiphasicProblem::Reaction(const Support &support)
    MPI_Allreduce(MPI_IN_PLACE, reaction.data(), 3, MPITypeMap<real_t>::mpi_type,
                  MPI_SUM, mesh.GetComm());
    return reaction;
+}
+
+std::vector<BiphasicProblem::RigidBodyState> BiphasicProblem::RigidBodyStates()
+{
+   const RigidTies &ties = Operator().Equations().Ties();
+   const RigidPoses &poses = Operator().Poses();
+   const std::vector<TiedForces> sums =
+      SumForces(ties, poses, Operator().Balance().support);
+   std::vector<RigidBodyState> states;
+   for (int b = 0; b < ties.Bodies(); b++)
+   {
+      states.push_back({ties.Name(b), poses[b], sums[b].force, sums[b].moment});
+   }
+   return states;
 }
 
 } // namespace synovia

@@ -65,6 +65,11 @@ public:
    /// free unless they are prescribed.
    void DriveByForce(const std::vector<std::string> &boundaries,
                      const mfem::Vector &direction, const LoadCurve &force);
+   /// Ties boundaries to a rigid body, which moves them exactly, by rotations
+   /// of any size in finite deformation.
+   void AddRigidBody(const std::string &name,
+                     const std::vector<std::string> &boundaries,
+                     const RigidBodyOptions &options);
    /// Outward relative flux (length / time), per current area in finite
    /// deformation.
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
@@ -112,6 +117,20 @@ public:
    /// Force that a support exerts on the body in its prescribed components, at
    /// the last stage. A dof of two supports counts in both.
    Point3 Reaction(const Support &support);
+
+   /// A rigid body at the last stage.
+   struct RigidBodyState
+   {
+      std::string name;
+      RigidPose pose{};
+      /// What loads, springs and supports exert on the body, and it on what is
+      /// tied to it (force, force x length); the moment is about the reference
+      /// point, where that is now.
+      Point3 force{};
+      Point3 moment{};
+   };
+   /// In the order in which they were added.
+   std::vector<RigidBodyState> RigidBodyStates();
 
 private:
    mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;

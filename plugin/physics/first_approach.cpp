@@ -5,6 +5,7 @@
 #include "synovia/general/error.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/text.hpp"
+#include "synovia/physics/rigid_resultants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ class Approach
 public:
    Approach(const std::vector<Body> &bodies_, BiphasicSpaces &spaces_,
             const BoundaryConditions &conditions_,
-            const std::vector<ContactPair *> &pairs_)
+            const std::vector<ContactPair *> &pairs_, bool any_pushed)
       : bodies(bodies_), spaces(spaces_), conditions(conditions_),
         pairs(pairs_), motions(bodies, spaces),
         no_pressure(spaces.Pressure().GetTrueVSize())
@@ -48,7 +49,7 @@ public:
       Vector high;
       spaces.GetMesh().GetBoundingBox(low, high);
       extent = high.DistanceTo(low);
-      if (!conditions.DrivenSurfaces().empty())
+      if (any_pushed)
       {
          for (ContactPair *pair : pairs)
          {
@@ -74,6 +75,8 @@ private:
                            const PushedBodies &group) const;
    void Translate(real_t distance, const PushedBodies &group);
    bool Holds(int body, const Point3 &along) const;
+   /// With all bodies that are tied to rigid bodies that these are tied to.
+   std::set<int> WithTied(std::set<int> group) const;
    std::set<int> BodiesOf(const ContactSurface &surface) const;
    /// Those of a pair's bodies that aren't in the group.
    std::set<int> MetBy(const PushedBodies &group,
@@ -93,6 +96,14 @@ private:
 
 bool Approach::Holds(int body, const Point3 &along) const
 {
+   for (const RigidBody &rigid : conditions.RigidBodies())
+   {
+      if (bodies[body].Touches(rigid.boundary) &&
+          synovia::Holds(rigid.options, along))
+      {
+         return true;
+      }
+   }
    constexpr real_t round_off = 1e-10;
    const Vector translation = motions.Translation({body}, along);
    real_t most = 0.0;
@@ -113,6 +124,29 @@ bool Approach::Holds(int body, const Point3 &along) const
       most = std::max(most, force.Size() > 0 ? force.Normlinf() / scale : 0.0);
    }
    return AnyRank(most > round_off, spaces.GetComm());
+}
+
+std::set<int> Approach::WithTied(std::set<int> group) const
+{
+   std::size_t before = 0;
+   while (group.size() > before)
+   {
+      before = group.size();
+      for (const RigidBody &rigid : conditions.RigidBodies())
+      {
+         const auto is_tied = [&](int body)
+         { return bodies[body].Touches(rigid.boundary); };
+         const bool any = std::any_of(group.begin(), group.end(), is_tied);
+         for (int b = 0; any && b < static_cast<int>(bodies.size()); b++)
+         {
+            if (is_tied(b))
+            {
+               group.insert(b);
+            }
+         }
+      }
+   }
+   return group;
 }
 
 std::set<int> Approach::BodiesOf(const ContactSurface &surface) const
@@ -272,6 +306,7 @@ void Approach::Add(const DrivenSurface &surface)
          group.bodies.insert(static_cast<int>(b));
       }
    }
+   group.bodies = WithTied(group.bodies);
    const auto holds = [&](int body) { return Holds(body, group.along); };
    if (group.sense == 0.0 ||
        std::any_of(group.bodies.begin(), group.bodies.end(), holds))
@@ -296,7 +331,7 @@ void Approach::Add(const DrivenSurface &surface)
       {
          result.moves.push_back({group.name, meeting.distance, pair.Name()});
       }
-      const std::set<int> met = MetBy(group, pair);
+      const std::set<int> met = WithTied(MetBy(group, pair));
       goes_on = !met.empty() && std::none_of(met.begin(), met.end(), holds);
       if (goes_on)
       {
@@ -312,8 +347,12 @@ FirstApproach MakeFirstApproach(const std::vector<Body> &bodies,
                                 const BoundaryConditions &conditions,
                                 const std::vector<ContactPair *> &pairs)
 {
-   Approach approach(bodies, spaces, conditions, pairs);
-   for (const DrivenSurface &surface : conditions.DrivenSurfaces())
+   std::vector<DrivenSurface> pushing = conditions.DrivenSurfaces();
+   const std::vector<DrivenSurface> rigid =
+      FindRigidResultants(conditions.RigidBodies());
+   pushing.insert(pushing.end(), rigid.begin(), rigid.end());
+   Approach approach(bodies, spaces, conditions, pairs, !pushing.empty());
+   for (const DrivenSurface &surface : pushing)
    {
       approach.Add(surface);
    }

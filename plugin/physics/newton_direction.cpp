@@ -19,7 +19,7 @@ NewtonDirection::NewtonDirection(BiphasicSpaces &spaces,
    : equations(equations_), pairs(pairs_), freedoms(freedoms_), linear(linear_),
      record(record_)
 {
-   if (equations.Rigid().Any())
+   if (equations.Rigid().Any() || equations.Ties().Any())
    {
       Vector low;
       Vector high;
@@ -50,6 +50,7 @@ void NewtonDirection::Linearize(const ImplicitStage &stage)
    {
       linear.TangentChanged();
    }
+   equations.LinearizeTies(stage);
 }
 
 void NewtonDirection::LinearizeBodies(const BodyStage &stage)
@@ -104,6 +105,18 @@ bool NewtonDirection::Escapes(const Vector &step)
    // Where little touches yet, a first guess may go far; without resistance
    // only round-off is left to resist.
    constexpr real_t away = 1e6;
+   const RigidTies &ties = equations.Ties();
+   const Vector amounts = ties.Gather(step);
+   for (int k = 0; k < amounts.Size(); k++)
+   {
+      if (!(std::abs(amounts[k]) <= away * extent))
+      {
+         FailSolve("the loads on the rigid body \"" +
+                   ties.Name(ties.Slots()[k].body) + "\" would move it by " +
+                   ToText(amounts[k]));
+         return true;
+      }
+   }
    for (const RigidSurfaces::Travel &travel : equations.Rigid().GetTravel(step))
    {
       if (!(std::abs(travel.distance) <= away * extent))

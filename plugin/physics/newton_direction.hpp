@@ -36,7 +36,7 @@ private:
    void LinearizeBodies(const BodyStage &stage);
    /// Fails with the bodies that are loose as contact is now.
    bool FailSolve(const std::string &reason);
-   /// Whether a surface that a force moves would leave; fails if so.
+   /// Whether what a force or a moment moves would leave; fails if so.
    bool Escapes(const mfem::Vector &step);
 
    StageEquations &equations;
@@ -44,7 +44,7 @@ private:
    const RigidFreedoms &freedoms;
    BiphasicLinearSolver &linear;
    SolveRecord &record;
-   /// Size of the mesh (length), where surfaces are driven.
+   /// Size of the mesh (length), where forces move surfaces or rigid bodies.
    mfem::real_t extent = 0.0;
 };
 

@@ -127,11 +127,12 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
                                 const ResidualTolerance &tolerance)
 {
    const real_t least_share = options.tuning.newton.shortest_step;
+   const Vector displacement = equations.DisplacementIn(step);
    std::vector<MultiplierStep> multipliers;
    for (const ContactPair *pair : contact.Pairs())
    {
       multipliers.push_back(
-         pair->FindMultiplierStep(step.GetBlock(0), step.GetBlock(1)));
+         pair->FindMultiplierStep(displacement, step.GetBlock(1)));
    }
    // From the stage's start the step and the supports' increments go together,
    // and what there was is no measure for what there will be.
@@ -155,8 +156,7 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
 void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
                            const std::vector<MultiplierStep> &multipliers)
 {
-   stage.u.Add(share, step.GetBlock(0));
-   stage.p.Add(share, step.GetBlock(1));
+   equations.Add(share, step, stage);
    for (std::size_t i = 0; i < multipliers.size(); i++)
    {
       contact.Pairs()[i]->Enforcement().AddToMultipliers(share, multipliers[i]);

@@ -1,5 +1,6 @@
 #include "synovia/physics/rigid_freedoms.hpp"
 #include "synovia/fem/null_space.hpp"
+#include "synovia/fem/tied_nodes.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
 
@@ -110,6 +111,10 @@ RigidFreedoms::OfSupports(BiphasicSpaces &spaces,
    {
       AddScaled(OfDriven(spaces, surface), sum);
    }
+   for (const RigidBody &body : conditions.RigidBodies())
+   {
+      AddScaled(OfTied(spaces, body), sum);
+   }
    for (const SpringFoundation &springs : conditions.Springs())
    {
       AddScaled(OfSprings(springs), sum);
@@ -152,6 +157,70 @@ DenseMatrix RigidFreedoms::OfDriven(BiphasicSpaces &spaces,
       {
          part(i, j) -= mean[i] * mean[j] / mean[size];
       }
+   }
+   return part;
+}
+
+DenseMatrix RigidFreedoms::OfTied(BiphasicSpaces &spaces,
+                                  const RigidBody &body) const
+{
+   // u - T q with the q of free freedoms without springs that fits best.
+   const TiedNodes tied(spaces, body);
+   std::vector<int> free;
+   for (int i = 0; i < 6; i++)
+   {
+      if (body.options.IsFree(i) && body.options.stiffness[i] == 0.0)
+      {
+         free.push_back(i);
+      }
+   }
+   const int size = per_body * motions.Bodies();
+   const int freedoms = static_cast<int>(free.size());
+   DenseMatrix part(size);
+   part = 0.0;
+   DenseMatrix moved(freedoms, size);
+   moved = 0.0;
+   for (const TiedNodes::Node &node : tied.Get())
+   {
+      const int first = per_body * motions.BodyOf(node.dof);
+      for (int d = 0; d < 3; d++)
+      {
+         AddSquare(motions, node.dof + d, 1.0, part);
+         for (int k = 0; k < freedoms; k++)
+         {
+            const real_t motion = tied.Motion(free[k], node.arm)[d];
+            for (int m = 0; m < per_body; m++)
+            {
+               moved(k, first + m) += motion * motions.At(node.dof + d, m);
+            }
+         }
+      }
+   }
+   SumOverRanks(part, comm);
+   if (freedoms == 0)
+   {
+      return part;
+   }
+   SumOverRanks(moved, comm);
+   DenseMatrix normal(freedoms);
+   for (int j = 0; j < freedoms; j++)
+   {
+      for (int i = 0; i < freedoms; i++)
+      {
+         normal(i, j) = tied.Squares()(free[i], free[j]);
+      }
+   }
+   DenseMatrix fitted(freedoms, size);
+   DenseMatrixInverse(normal).Mult(moved, fitted);
+   DenseMatrix taken(size);
+   MultAtB(moved, fitted, taken);
+   // A body that goes with all that is tied to it resists only by round-off.
+   constexpr real_t round_off = 1e-12;
+   const real_t whole = part.MaxMaxNorm();
+   part -= taken;
+   if (part.MaxMaxNorm() <= round_off * whole)
+   {
+      part = 0.0;
    }
    return part;
 }

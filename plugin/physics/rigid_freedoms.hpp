@@ -10,10 +10,10 @@ namespace synovia
 /// Which rigid motions of the bodies nothing resists.
 ///
 /// Whatever resists one, prescribed displacements, surfaces that are moved as
-/// one, springs, or vertices in contact, does so by a row c of what it makes of
-/// the motions r; free are those with c.r = 0 for all rows, which a
-/// factorization of the sum of c c^T finds. How stiff something is doesn't
-/// matter.
+/// one or are tied to rigid bodies, springs, or vertices in contact, does so by
+/// a row c of what it makes of the motions r; free are those with c.r = 0 for
+/// all rows, which a factorization of the sum of c c^T finds. How stiff
+/// something is doesn't matter.
 class RigidFreedoms
 {
 public:
@@ -45,6 +45,8 @@ private:
                                 const BoundaryConditions &conditions) const;
    mfem::DenseMatrix OfDriven(BiphasicSpaces &spaces,
                               const DrivenSurface &surface) const;
+   mfem::DenseMatrix OfTied(BiphasicSpaces &spaces,
+                            const RigidBody &body) const;
    mfem::DenseMatrix OfSprings(const SpringFoundation &springs) const;
    mfem::DenseMatrix OfContact(const ContactPair &pair,
                                mfem::real_t least_force) const;

@@ -97,6 +97,7 @@ bool StageContact::CatchPushed(ImplicitStage &stage)
          continue;
       }
       stage.u.Add(distance, group.translation);
+      stage.poses = equations.Ties().Fit(stage.u, stage.poses);
       for (ContactPair *pair : pairs)
       {
          pair->Enforcement().Evaluate(stage.u, stage.p);

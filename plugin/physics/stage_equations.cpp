@@ -6,17 +6,33 @@ namespace synovia
 
 using namespace mfem;
 
+namespace
+{
+Array<int> United(const Array<int> &a, const Array<int> &b)
+{
+   Array<int> all(a);
+   all.Append(b);
+   all.Sort();
+   all.Unique();
+   return all;
+}
+} // namespace
+
 StageEquations::StageEquations(BiphasicSpaces &spaces,
                                const BoundaryConditions &conditions_,
                                const std::vector<ContactPair *> &pairs_,
                                std::unique_ptr<BodyForm> bodies_)
    : comm(spaces.GetComm()), conditions(conditions_), pairs(pairs_),
      bodies(std::move(bodies_)),
-     rigid(spaces, conditions.DrivenSurfaces(), conditions.DisplacementDofs()),
-     drainage(spaces, pairs), contact(pairs.size()),
+     ties(spaces, conditions.RigidBodies(), conditions.DisplacementDofs(),
+          conditions.GetDeformation()),
+     rigid(spaces, conditions.DrivenSurfaces(),
+           United(conditions.DisplacementDofs(), ties.Dofs())),
+     tie_tangent(ties), drainage(spaces, pairs), contact(pairs.size()),
      jacobian(std::make_unique<BiphasicJacobian>(
         bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
-        contact, rigid.Any() ? &rigid : nullptr))
+        contact, rigid.Any() ? &rigid : nullptr,
+        ties.Any() ? &tie_tangent : nullptr))
 {
    const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
    for (ContactPair *pair : pairs)
@@ -132,6 +148,14 @@ void StageEquations::MakeResidual(const ImplicitStage &stage,
    imbalance.GetBlock(0).SetSubVector(conditions.DisplacementDofs(), 0.0);
    rigid.Collect(imbalance.GetBlock(0));
    rigid.AddForces(stage.time, imbalance.GetBlock(0));
+   if (ties.Any())
+   {
+      const std::vector<TiedForces> sums =
+         SumForces(ties, stage.poses, imbalance.GetBlock(0));
+      imbalance.GetBlock(0).SetSubVector(ties.Dofs(), 0.0);
+      ties.Scatter(FreedomForces(ties, stage.poses, stage.time, sums),
+                   imbalance.GetBlock(0));
+   }
    imbalance.GetBlock(1).SetSubVector(DrainedDofs(), 0.0);
    imbalance.SyncFromBlocks();
 }
@@ -185,6 +209,45 @@ bool StageEquations::LinearizeContact(const BodyStage &stage)
       UpdateFactors();
    }
    return changed;
+}
+
+void StageEquations::LinearizeTies(const ImplicitStage &stage)
+{
+   if (!ties.Any())
+   {
+      return;
+   }
+   Vector momentum(stage.u.Size());
+   momentum = 0.0;
+   if (ties.IsFinite())
+   {
+      Vector mass;
+      ComputeImbalance(stage, momentum, mass);
+      momentum.Neg();
+   }
+   tie_tangent.Linearize(stage.poses, stage.time, momentum);
+}
+
+void StageEquations::Add(real_t share, const BlockVector &step,
+                         ImplicitStage &stage) const
+{
+   stage.u.Add(share, step.GetBlock(0));
+   stage.p.Add(share, step.GetBlock(1));
+   if (ties.Any())
+   {
+      stage.poses = ties.Moved(stage.poses, share, step.GetBlock(0));
+      ties.Write(stage.poses, stage.u);
+   }
+}
+
+Vector StageEquations::DisplacementIn(const BlockVector &step) const
+{
+   Vector displacement(step.GetBlock(0));
+   if (ties.Any())
+   {
+      tie_tangent.Move(ties.Gather(step.GetBlock(0)), displacement);
+   }
+   return displacement;
 }
 
 void StageEquations::UpdateFactors()

@@ -2,6 +2,7 @@
 
 #include "synovia/fem/body_form.hpp"
 #include "synovia/fem/boundary_conditions.hpp"
+#include "synovia/fem/tie_tangent.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
 #include "synovia/physics/contact_drainage.hpp"
 
@@ -17,6 +18,8 @@ struct ImplicitStage : BodyStage
 {
    mfem::Vector momentum_load;
    mfem::Vector mass_load;
+   /// Of rigid bodies, whose tied dofs u has.
+   RigidPoses poses;
    /// Whether the bodies' part is that of BodyForm::MultFromStart().
    bool from_start = false;
 };
@@ -43,8 +46,11 @@ struct StageBalance
 /// The residual is r(u, p) = -(momentum), (mass) for true dofs of displacement
 /// and pressure, with zeros at prescribed and drained dofs, and Jacobian() is
 /// -dr/d(u, p). Where surfaces are driven, displacements and forces are those
-/// of RigidSurfaces. Momentum is in force, mass in volume of fluid in the
-/// stage. All members are collective.
+/// of RigidSurfaces; where they are tied to rigid bodies, r has what is missing
+/// for balance of the bodies in the slots of RigidTies. Momentum is in force,
+/// mass in volume of fluid in the stage. All members are collective.
+///
+/// Large because each part of a stage is evaluated and linearized on its own.
 class StageEquations
 {
 public:
@@ -56,6 +62,7 @@ public:
    BodyForm &Bodies() { return *bodies; }
    const BodyForm &Bodies() const { return *bodies; }
    const RigidSurfaces &Rigid() const { return rigid; }
+   const RigidTies &Ties() const { return ties; }
    /// At the last Linearize...() and Set...() of each of its parts.
    const BiphasicJacobian &Jacobian() const { return *jacobian; }
 
@@ -95,6 +102,16 @@ public:
    bool LinearizeBodies(const BodyStage &stage);
    /// The same for the contact, which must have been evaluated there.
    bool LinearizeContact(const BodyStage &stage);
+   /// The same for what is tied to rigid bodies, with the forces of the contact
+   /// as it was evaluated last.
+   void LinearizeTies(const ImplicitStage &stage);
+
+   /// Adds a share of a step, a solution of the linearized equations, to
+   /// displacement, pressure, and poses of rigid bodies.
+   void Add(mfem::real_t share, const mfem::BlockVector &step,
+            ImplicitStage &stage) const;
+   /// The displacement of all nodes in a step, to first order.
+   mfem::Vector DisplacementIn(const mfem::BlockVector &step) const;
 
 private:
    void UpdateFactors();
@@ -103,7 +120,9 @@ private:
    const BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
    std::unique_ptr<BodyForm> bodies;
+   RigidTies ties;
    RigidSurfaces rigid;
+   TieTangent tie_tangent;
    ContactDrainage drainage;
    /// What the pairs add to the Jacobian, in their order.
    ContactTerms contact;

@@ -39,6 +39,10 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    still.p = stage.p0;
    conditions.SetDisplacement(stage.time, still.u);
    conditions.SetPressure(stage.time, still.p);
+   const RigidTies &ties = equations.Ties();
+   still.poses = ties.Fit(still.u, stage.poses);
+   ties.Prescribe(stage.time, still.poses);
+   ties.Write(still.poses, still.u);
    BlockVector residual(spaces.Offsets());
    equations.ComputeResidual(still, residual);
    const real_t own_force = norm(residual.GetBlock(0));

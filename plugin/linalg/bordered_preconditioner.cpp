@@ -1,0 +1,228 @@
+#include "synovia/linalg/bordered_preconditioner.hpp"
+#include "synovia/general/vector_entries.hpp"
+#include "synovia/linalg/scaled_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// The equations with the slots held.
+class HeldEquations : public Operator
+{
+public:
+   explicit HeldEquations(const BiphasicJacobian &jacobian_)
+      : Operator(jacobian_.Height()), jacobian(jacobian_),
+        ties(jacobian.Ties()->Ties()), none(ties.Slots().size())
+   {
+      none = 0.0;
+   }
+   void Mult(const Vector &x, Vector &y) const override
+   {
+      const Vector held = ties.Gather(x);
+      free = x;
+      ties.Scatter(none, free);
+      jacobian.Mult(free, y);
+      ties.Scatter(held, y);
+   }
+
+private:
+   const BiphasicJacobian &jacobian;
+   const RigidTies &ties;
+   Vector none;
+   mutable Vector free;
+};
+} // namespace
+
+BorderedPreconditioner::BorderedPreconditioner(
+   const BiphasicJacobian &jacobian_, MPI_Comm comm_, real_t force_per_volume_,
+   std::unique_ptr<BiphasicPreconditioner> inner_)
+   : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
+     comm(comm_), force_per_volume(force_per_volume_), inner(std::move(inner_)),
+     columns(Ties().Slots().size()),
+     held_stiffness(static_cast<int>(columns.size()))
+{
+   for (Vector &column : columns)
+   {
+      column.SetSize(height);
+      column = 0.0;
+   }
+}
+
+void BorderedPreconditioner::Hold(Vector &x) const
+{
+   Vector none(Columns());
+   none = 0.0;
+   Ties().Scatter(none, x);
+}
+
+void BorderedPreconditioner::Update()
+{
+   inner->Update();
+   if (columns.empty())
+   {
+      work = inner->Work();
+      return;
+   }
+   fresh = outdated;
+   if (outdated)
+   {
+      SolveColumns();
+   }
+   Project();
+   work = inner->Work();
+   work.columns += columns_solved;
+}
+
+void BorderedPreconditioner::SolveColumns()
+{
+   // Good enough for what the columns take to be what the freedoms need.
+   constexpr real_t accuracy = 1e-2;
+   constexpr int most_iterations = 200;
+   const int pressure_begin = jacobian.Offsets()[1];
+   const HeldEquations held(jacobian);
+   const ScaledOperator2x2 scaled(held, pressure_begin, force_per_volume);
+   ScaledSolver scaled_inner(*inner, pressure_begin, 1.0 / force_per_volume);
+   FGMRESSolver solver(comm);
+   solver.SetKDim(most_iterations);
+   solver.SetMaxIter(most_iterations);
+   solver.SetRelTol(0.0);
+   solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
+   solver.SetOperator(scaled);
+   solver.SetPreconditioner(scaled_inner);
+   solver.iterative_mode = true;
+   column_iterations = 0;
+   for (int j = 0; j < Columns(); j++)
+   {
+      Vector amounts(Columns());
+      amounts = 0.0;
+      amounts[j] = 1.0;
+      Vector unit(height);
+      unit = 0.0;
+      Ties().Scatter(amounts, unit);
+      Vector forces(height);
+      jacobian.Mult(unit, forces);
+      held_stiffness[j] = Ties().Gather(forces)[j];
+      forces.Neg();
+      Hold(forces);
+      ScaleFrom(pressure_begin, force_per_volume, forces);
+      solver.SetAbsTol(accuracy *
+                       std::sqrt(InnerProduct(comm, forces, forces)));
+      Hold(columns[j]);
+      ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
+      solver.Mult(forces, columns[j]);
+      ScaleFrom(pressure_begin, force_per_volume, columns[j]);
+      columns[j].HostReadWrite();
+      columns[j] += unit;
+      column_iterations += solver.GetNumIterations();
+   }
+   columns_solved += Columns();
+   outdated = false;
+   fresh_rate = 0.0;
+   extra_iterations = 0.0;
+}
+
+void BorderedPreconditioner::Project()
+{
+   // Keeps a freedom that nothing resists from being a division by zero.
+   constexpr real_t round_off = 1e-14;
+   const int begin = jacobian.Offsets()[1];
+   DenseMatrix middle(Columns());
+   Vector product(height);
+   for (Vector &column : columns)
+   {
+      for (const int dof : jacobian.PressureDofs())
+      {
+         column[begin + dof] = 0.0;
+      }
+   }
+   for (int j = 0; j < Columns(); j++)
+   {
+      jacobian.Mult(columns[j], product);
+      const Vector entries = Restrict(product);
+      for (int i = 0; i < Columns(); i++)
+      {
+         middle(i, j) = entries[i];
+      }
+      middle(j, j) += round_off * std::abs(held_stiffness[j]);
+   }
+   inverse.Factor(middle);
+}
+
+Vector BorderedPreconditioner::Restrict(const Vector &r) const
+{
+   r.HostRead();
+   Vector parts(Columns());
+   for (int i = 0; i < Columns(); i++)
+   {
+      parts[i] = columns[i] * r;
+   }
+   MPI_Allreduce(MPI_IN_PLACE, parts.GetData(), parts.Size(),
+                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
+   return parts;
+}
+
+int BorderedPreconditioner::Patience() const
+{
+   const int most = inner->Patience();
+   return most < std::numeric_limits<int>::max() - Columns() ? most + Columns()
+                                                             : most;
+}
+
+bool BorderedPreconditioner::Report(const SolveAttempt &attempt)
+{
+   const real_t tenths = -std::log10(attempt.reduction);
+   if (!std::isfinite(tenths))
+   {
+      fresh_rate = 0.0;
+   }
+   else if (tenths > 0.0 && fresh_rate == 0.0)
+   {
+      fresh_rate = attempt.iterations / tenths;
+   }
+   else if (tenths > 0.0)
+   {
+      extra_iterations += attempt.iterations - fresh_rate * tenths;
+   }
+   // Old columns make as many iterations more as there are, at most, for which
+   // the inner preconditioner is not to blame.
+   SolveAttempt of_inner(attempt);
+   of_inner.iterations = fresh ? attempt.iterations
+                               : std::max(std::min(attempt.iterations, 1),
+                                          attempt.iterations - Columns());
+   const bool again = inner->Report(of_inner);
+   const bool renew = !attempt.converged && !fresh && Columns() > 0;
+   outdated = outdated || renew || extra_iterations > column_iterations;
+   return again || renew;
+}
+
+void BorderedPreconditioner::Mult(const Vector &x, Vector &y) const
+{
+   if (columns.empty())
+   {
+      inner->Mult(x, y);
+      return;
+   }
+   right_side = x;
+   Hold(right_side);
+   inner->Mult(right_side, y);
+   Hold(y);
+   residual.SetSize(height);
+   jacobian.Mult(y, residual);
+   subtract(x, residual, residual);
+   Vector amounts(Columns());
+   inverse.Mult(Restrict(residual), amounts);
+   y.HostReadWrite();
+   for (int j = 0; j < Columns(); j++)
+   {
+      y.Add(amounts[j], columns[j]);
+   }
+}
+
+} // namespace synovia
