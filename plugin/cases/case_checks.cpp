@@ -219,6 +219,60 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
    }
 }
 
+// What moves a surface by itself; empty if nothing does.
+std::string MovingKey(const BoundaryCase &boundary)
+{
+   const auto &u = boundary.displacement;
+   return u[0] || u[1] || u[2]   ? "displacement"
+          : boundary.force.curve ? "force"
+                                 : "";
+}
+
+void CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
+{
+   Once names(reading);
+   Once surfaces(reading);
+   std::set<std::string> moved;
+   for (size_t i = 0; i < setup.boundaries.size(); i++)
+   {
+      const BoundaryCase &boundary = setup.boundaries[i];
+      const std::string key = MovingKey(boundary);
+      for (const std::string &surface : Distinct(boundary.surfaces))
+      {
+         // Several boundaries may move one surface, each along another axis.
+         if (!key.empty() && moved.insert(surface).second)
+         {
+            surfaces.Enter(surface, EntryPath("boundary", i, key), "");
+         }
+      }
+   }
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      const RigidBodyCase &body = setup.rigid_bodies[i];
+      const std::string path = EntryPath("rigid_body", i);
+      CheckNames(body.surfaces, path + ".surfaces", "surface", reading);
+      reading.Require(!body.name.empty() || reading.HasError(path + ".name"),
+                      path + ".name", "the name is empty");
+      if (!body.name.empty())
+      {
+         names.Enter(body.name, path + ".name",
+                     "a rigid body is called " + Quoted(body.name) +
+                        " already; give this one another name");
+         CheckFileName(body.name, path + ".name", reading);
+      }
+      for (const std::string &surface : Distinct(body.surfaces))
+      {
+         surfaces.Enter(surface, path + ".surfaces",
+                        Quoted(surface) +
+                           " is moved already; tie it to one rigid body, or "
+                           "prescribe its displacement or force");
+      }
+      const std::string problem =
+         Contradiction(body.Options(), setup.space.deformation);
+      reading.Require(problem.empty(), path, problem);
+   }
+}
+
 // Paths of the keys that prescribe pressure or flux, by surface.
 std::map<std::string, std::string> FluidConditions(const CaseFile &setup)
 {
@@ -366,6 +420,7 @@ void CheckConsistency(const CaseFile &setup, CaseReading &reading)
    CheckMesh(setup.mesh, reading);
    CheckMaterials(setup, reading);
    CheckBoundaries(setup, reading);
+   CheckRigidBodies(setup, reading);
    CheckContacts(setup, reading);
    CheckTimes(setup, reading);
    CheckOutput(setup, reading);

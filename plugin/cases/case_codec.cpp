@@ -222,6 +222,10 @@ TomlText TextOf(const Numbers3 &value)
 {
    return ListText(value, ShortestNumber);
 }
+TomlText TextOf(const Place &value)
+{
+   return value ? TextOf(*value) : TomlText();
+}
 TomlText TextOf(const std::optional<LoadCurve> &value)
 {
    return value ? CurveText(*value) : TomlText();
@@ -332,6 +336,17 @@ void ReadValue(const CaseInput &from, Numbers3 &value)
    ReadThree(from, " numbers",
              [&](const CaseInput &item, size_t i)
              { ReadValue(item, value[i]); });
+}
+
+void ReadValue(const CaseInput &from, Place &value)
+{
+   Numbers3 place{};
+   if (ReadThree(from, " numbers",
+                 [&](const CaseInput &item, size_t i)
+                 { ReadValue(item, place[i]); }))
+   {
+      value = place;
+   }
 }
 
 void ReadValue(const CaseInput &from, std::optional<LoadCurve> &value)

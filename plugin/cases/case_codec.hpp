@@ -14,6 +14,7 @@ namespace synovia
 using Components = std::array<std::optional<LoadCurve>, 3>;
 using Curves = std::optional<std::array<LoadCurve, 3>>;
 using Numbers3 = std::array<mfem::real_t, 3>;
+using Place = std::optional<Numbers3>;
 using Names = std::vector<std::string>;
 using Numbers = std::vector<mfem::real_t>;
 
@@ -37,6 +38,8 @@ inline constexpr const char *type_name<Numbers> = "list of numbers";
 template <>
 inline constexpr const char *type_name<Numbers3> = "list of 3 numbers";
 template <>
+inline constexpr const char *type_name<Place> = "list of 3 numbers";
+template <>
 inline constexpr const char *type_name<std::optional<LoadCurve>> = "curve";
 template <>
 inline constexpr const char *type_name<Components> =
@@ -57,6 +60,7 @@ TomlText TextOf(const std::string &value);
 TomlText TextOf(const Names &value);
 TomlText TextOf(const Numbers &value);
 TomlText TextOf(const Numbers3 &value);
+TomlText TextOf(const Place &value);
 TomlText TextOf(const std::optional<LoadCurve> &value);
 TomlText TextOf(const Components &value);
 TomlText TextOf(const Curves &value);
@@ -71,6 +75,7 @@ void ReadValue(const CaseInput &from, std::string &value);
 void ReadValue(const CaseInput &from, Names &value);
 void ReadValue(const CaseInput &from, Numbers &value);
 void ReadValue(const CaseInput &from, Numbers3 &value);
+void ReadValue(const CaseInput &from, Place &value);
 void ReadValue(const CaseInput &from, std::optional<LoadCurve> &value);
 void ReadValue(const CaseInput &from, Components &value);
 void ReadValue(const CaseInput &from, Curves &value);

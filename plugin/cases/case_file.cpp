@@ -40,6 +40,29 @@ bool BoundaryCase::Holds(int component) const
    return displacement[component].has_value() || spring.Holds(component);
 }
 
+RigidBodyOptions RigidBodyCase::Options() const
+{
+   RigidBodyOptions options;
+   options.reference = reference;
+   options.load_follows = load_follows;
+   for (int d = 0; d < 3; d++)
+   {
+      options.prescribed[d] = translation[d];
+      options.prescribed[d + 3] = rotation[d];
+      options.stiffness[d] = stiffness[d];
+      options.stiffness[d + 3] = rotational_stiffness[d];
+      if (force)
+      {
+         options.load[d] = (*force)[d];
+      }
+      if (moment)
+      {
+         options.load[d + 3] = (*moment)[d];
+      }
+   }
+   return options;
+}
+
 bool ForceCase::IsDirected() const
 {
    return !IsZero(direction);

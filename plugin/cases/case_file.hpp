@@ -150,6 +150,30 @@ struct BoundaryCase
    bool Holds(int component) const;
 };
 
+/// A rigid body that surfaces are tied to. Freedoms are those along and about
+/// the axes of space.
+struct RigidBodyCase
+{
+   std::string name;
+   std::vector<std::string> surfaces;
+   /// Center of moments and of the translation; none: the surfaces' center of
+   /// area.
+   std::optional<std::array<mfem::real_t, 3>> reference;
+   /// Prescribed, by component (length, rad); none: free.
+   std::array<std::optional<LoadCurve>, 3> translation;
+   std::array<std::optional<LoadCurve>, 3> rotation;
+   /// On free components (force, force x length).
+   std::optional<std::array<LoadCurve, 3>> force;
+   std::optional<std::array<LoadCurve, 3>> moment;
+   /// Whether force and moment turn with the body.
+   bool load_follows = false;
+   /// Of springs on free components (force / length, force x length / rad).
+   std::array<mfem::real_t, 3> stiffness{{0.0, 0.0, 0.0}};
+   std::array<mfem::real_t, 3> rotational_stiffness{{0.0, 0.0, 0.0}};
+
+   RigidBodyOptions Options() const;
+};
+
 struct ContactCase
 {
    /// Of the pair in the output; if empty, made of the first source and the
@@ -186,6 +210,7 @@ struct CaseFile
    SpaceOptions space;
    std::vector<MaterialCase> materials;
    std::vector<BoundaryCase> boundaries;
+   std::vector<RigidBodyCase> rigid_bodies;
    std::vector<ContactCase> contacts;
    TimeOptions time;
    NonlinearOptions solver;

@@ -178,6 +178,38 @@ KeyTable BoundaryKeys(BoundaryCase &boundary)
    return keys;
 }
 
+KeyTable RigidBodyKeys(RigidBodyCase &body)
+{
+   KeyTable keys;
+   keys.Value("name", body.name, "", "of the body in the output").Required();
+   keys
+      .Value("surfaces", body.surfaces, "",
+             "what is tied to it: physical surfaces")
+      .Required();
+   keys.Value("reference", body.reference, length,
+              "the point that the translation and moments are of; the "
+              "surfaces' center of area if left out");
+   keys.Value("translation", body.translation, length,
+              "prescribed, by component; free if left out");
+   keys.Value("rotation", body.rotation, "rad",
+              "prescribed, by component of the rotation vector, which is along "
+              "the axis and as long as the angle; free if left out");
+   keys.Value("force", body.force, "force",
+              "at the reference point, by component, on free ones");
+   keys.Value("moment", body.moment, "force length",
+              "about the reference point, by component, on free ones");
+   keys.Value("load_follows", body.load_follows, "",
+              "whether force and moment turn with the body, in finite "
+              "deformation");
+   keys.Value("stiffness", body.stiffness, "force/length",
+              "of springs between the reference point and where it was, by "
+              "component, on free ones");
+   keys.Value("rotational_stiffness", body.rotational_stiffness,
+              "force length/rad",
+              "of springs that resist rotation, by component, on free ones");
+   return keys;
+}
+
 KeyTable ContactKeys(ContactCase &contact)
 {
    ContactOptions &options = contact.options;
@@ -365,6 +397,9 @@ KeyTable CaseKeys(CaseFile &setup)
                           "of all regions")
       .Required();
    keys.List<BoundaryCase>("boundary", setup.boundaries, BoundaryKeys, "");
+   keys.List<RigidBodyCase>(
+      "rigid_body", setup.rigid_bodies, RigidBodyKeys,
+      "moves what is tied to it as one, by translations and rotations");
    keys.List<ContactCase>("contact", setup.contacts, ContactKeys, "");
    keys.Table("time", TimeKeys(setup.time), "");
    keys.Table("solver", SolverKeys(setup.solver), "");

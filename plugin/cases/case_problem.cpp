@@ -113,6 +113,10 @@ void CheckSurfaces(const CaseFile &setup, const NamedMesh &mesh,
    {
       check(setup.boundaries[i].surfaces, "boundary", i, "surfaces");
    }
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      check(setup.rigid_bodies[i].surfaces, "rigid_body", i, "surfaces");
+   }
    for (size_t i = 0; i < setup.contacts.size(); i++)
    {
       check(setup.contacts[i].source, "contact", i, "source");
@@ -124,7 +128,12 @@ void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
                    const std::vector<Body> &bodies, CaseReading &reading)
 {
    const char *const axes[3] = {"x", "y", "z"};
-   const Array<int> touching = ContactSurfaces(setup, mesh);
+   // Whether rigid bodies hold what is tied to them depends on all of it.
+   Array<int> others = ContactSurfaces(setup, mesh);
+   for (const RigidBodyCase &body : setup.rigid_bodies)
+   {
+      others.Append(NamedBoundaries(mesh, body.surfaces));
+   }
    const Array<int> held[3] = {HeldSurfaces(setup, mesh, 0),
                                HeldSurfaces(setup, mesh, 1),
                                HeldSurfaces(setup, mesh, 2)};
@@ -132,7 +141,7 @@ void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
    {
       for (int d = 0; d < 3; d++)
       {
-         if (!body.Touches(touching) && !body.Touches(held[d]))
+         if (!body.Touches(others) && !body.Touches(held[d]))
          {
             reading.AddError("boundary", "nothing holds \"" + body.name +
                                             "\" along " + axes[d] +
@@ -222,12 +231,44 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    {
       SetBoundary(boundary);
    }
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      const RigidBodyCase &body = setup.rigid_bodies[i];
+      reading.Catch(
+         "rigid_body." + std::to_string(i), [&]()
+         { problem.AddRigidBody(body.name, body.surfaces, body.Options()); });
+   }
+   CheckRigidBodies(setup, reading);
+   reading.ThrowIfAny();
    for (const ContactCase &contact : setup.contacts)
    {
       problem.AddContact(contact.source, contact.destination, contact.options,
                          contact.Name());
    }
    problem.SetNonlinearOptions(setup.solver);
+}
+
+void CaseProblem::CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
+{
+   if (setup.rigid_bodies.empty() || reading.Count() > 0)
+   {
+      return;
+   }
+   const BoundaryConditions &conditions = problem.Conditions();
+   reading.Catch("rigid_body",
+                 [&]()
+                 {
+                    RigidTies(problem.Spaces(), conditions.RigidBodies(),
+                              conditions.DisplacementDofs(),
+                              problem.GetDeformation());
+                 });
+   if (setup.contacts.empty() && reading.Count() == 0)
+   {
+      const RigidFreedoms freedoms(FindBodies(problem.Mesh(), problem.Spaces()),
+                                   problem.Spaces(), conditions);
+      const std::string loose = freedoms.Validate({}, 0.0);
+      reading.Require(loose.empty(), "rigid_body", loose);
+   }
 }
 
 const SolidLaw &CaseProblem::AddSolid(const SolidCase &solid, LawArguments from)

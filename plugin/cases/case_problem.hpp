@@ -31,6 +31,9 @@ private:
    /// Makes the law, and those that it is made of.
    const SolidLaw &AddSolid(const SolidCase &solid, LawArguments from);
    void SetBoundary(const BoundaryCase &boundary);
+   /// Adds errors for rigid bodies whose ties contradict other conditions, and
+   /// for bodies that nothing holds, where there is no contact.
+   void CheckRigidBodies(const CaseFile &setup, CaseReading &reading);
 
    BiphasicProblem problem;
    std::vector<std::unique_ptr<MaterialFrame>> frames;

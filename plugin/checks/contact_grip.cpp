@@ -4,6 +4,7 @@
 #include "synovia/checks/vertex_normals.hpp"
 #include "synovia/fem/null_space.hpp"
 #include "synovia/general/reduce_lists.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -51,6 +52,13 @@ ContactGrip::ContactGrip(const CaseFile &setup, CaseProblem &problem,
             AddLoads(boundary, loads[b]);
          }
       }
+      for (const RigidBodyCase &body : setup.rigid_bodies)
+      {
+         if (bodies[b].Touches(NamedBoundaries(mesh, body.surfaces)))
+         {
+            AddLoads(body.Options(), loads[b]);
+         }
+      }
    }
 }
 
@@ -89,6 +97,22 @@ void ContactGrip::AddLoads(const BoundaryCase &boundary, Loads &of_body) const
       of_body.loaded[d] =
          of_body.loaded[d] || of_body.driven[d] || boundary.normal_traction ||
          (boundary.traction && Amplitude((*boundary.traction)[d]) > 0.0);
+   }
+}
+
+void ContactGrip::AddLoads(const RigidBodyOptions &body, Loads &of_body) const
+{
+   // Forces also make moments, and moments press by what they turn.
+   bool turned = false;
+   for (int i = 3; i < 6; i++)
+   {
+      turned = turned || Amplitude(body.load[i]) > 0.0;
+   }
+   for (int d = 0; d < 3; d++)
+   {
+      const bool pushed = Amplitude(body.load[d]) > 0.0;
+      of_body.driven[d] = of_body.driven[d] || pushed;
+      of_body.loaded[d] = of_body.loaded[d] || pushed || turned;
    }
 }
 

@@ -57,6 +57,7 @@ private:
    void AddCorners(const mfem::Array<int> &surfaces, BiphasicSpaces &spaces,
                    const std::vector<Body> &bodies);
    void AddLoads(const BoundaryCase &boundary, Loads &of_body) const;
+   void AddLoads(const RigidBodyOptions &body, Loads &of_body) const;
    /// Along a motion: by translations alone, or by any if it turns.
    bool Any(const std::array<bool, 3> &axes, int body,
             const mfem::Vector &motion) const;

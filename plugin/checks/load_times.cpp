@@ -51,6 +51,15 @@ LoadTimes FindLoadTimes(const CaseFile &setup)
       Add(boundary.normal_flux, loads);
       Add(boundary.force.curve, loads);
    }
+   for (const RigidBodyCase &body : setup.rigid_bodies)
+   {
+      const RigidBodyOptions options = body.Options();
+      for (int i = 0; i < 6; i++)
+      {
+         Add(options.prescribed[i], loads);
+         Add(options.load[i], loads);
+      }
+   }
    return loads;
 }
 

@@ -1,5 +1,6 @@
 #include "synovia/checks/surface_conditions.hpp"
 #include "synovia/checks/layer_loads.hpp"
+#include "synovia/mesh/named_boundaries.hpp"
 
 namespace synovia
 {
@@ -43,6 +44,14 @@ SurfaceConditions::SurfaceConditions(const CaseFile &setup,
          }
       }
    }
+   for (const RigidBodyCase &body : setup.rigid_bodies)
+   {
+      for (const int attribute : NamedBoundaries(mesh, body.surfaces))
+      {
+         by_attribute[attribute].none = false;
+         by_attribute[attribute].rigid = true;
+      }
+   }
    for (const int attribute : ContactSurfaces(setup, mesh))
    {
       by_attribute[attribute].none = false;
@@ -74,6 +83,7 @@ std::string SurfaceConditions::Text(int attribute) const
       components += c.displaced[d] ? std::string(1, "xyz"[d]) : "";
    }
    add(!components.empty(), "displacement " + components);
+   add(c.rigid, "rigid body");
    add(c.force, "force");
    add(c.springs, "springs");
    add(c.loaded, "traction");

@@ -32,6 +32,7 @@ private:
       bool moving = false;
       bool loaded = false;
       bool springs = false;
+      bool rigid = false;
       bool force = false;
       bool contact = false;
       bool pressure = false;

@@ -120,6 +120,12 @@ void AddFingerprint(BiphasicProblem &problem, CheckpointContents &contents)
       pairs += (pairs.empty() ? "" : ", ") + pair->Name();
    }
    contents.texts["contact pairs"] = pairs.empty() ? "none" : pairs;
+   std::string rigid;
+   for (const RigidBody &body : problem.Conditions().RigidBodies())
+   {
+      rigid += (rigid.empty() ? "" : ", ") + body.name;
+   }
+   contents.texts["rigid bodies"] = rigid.empty() ? "none" : rigid;
 }
 
 std::string CompareFingerprints(const CheckpointContents &theirs,
@@ -134,7 +140,7 @@ std::string CompareFingerprints(const CheckpointContents &theirs,
    };
    for (const char *name :
         {"contact pairs", "deformation", "degrees of freedom", "elements",
-         "materials", "order", "regions", "surfaces"})
+         "materials", "order", "regions", "rigid bodies", "surfaces"})
    {
       const auto there = theirs.texts.find(name);
       const std::string &here = ours.texts.at(name);

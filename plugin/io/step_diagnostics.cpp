@@ -87,6 +87,14 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    {
       row.emplace_back("travel." + travel.name, travel.distance);
    }
+   for (const BiphasicProblem::RigidBodyState &body : problem.RigidBodyStates())
+   {
+      const std::string prefix = "rigid_body." + body.name + ".";
+      AddPoint(row, prefix + "translation_", TranslationOf(body.pose));
+      AddPoint(row, prefix + "rotation_", RotationOf(body.pose));
+      AddPoint(row, prefix + "force_", body.force);
+      AddPoint(row, prefix + "moment_", body.moment);
+   }
    for (const ContactPair *pair : op.Pairs())
    {
       AddContact(row, *pair);

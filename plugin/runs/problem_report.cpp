@@ -2,6 +2,7 @@
 #include "synovia/checks/case_warnings.hpp"
 #include "synovia/checks/contact_hints.hpp"
 #include "synovia/checks/region_stiffness.hpp"
+#include "synovia/checks/rigid_body_rows.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/text_table.hpp"
 #include "synovia/linalg/direct_preconditioner.hpp"
@@ -32,6 +33,8 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
      elements(MeasureElements(problem.Get().Mesh())),
      stiffness(VerifiedStiffness(setup, problem)),
      surfaces(MeasureSurfaces(setup, problem.Get().Mesh())),
+     rigid_bodies(
+        RigidBodyRows(problem.Get().Conditions(), problem.Get().Spaces())),
      pairs(CheckContact(setup, problem)),
      warnings(FindWarnings(setup, problem, pairs, bodies, regions)),
      hints(FindContactHints(setup, problem, pairs, bodies, regions))
@@ -142,6 +145,11 @@ void ProblemReport::Write(std::ostream &out) const
    }
    WriteRegions(out);
    WriteSurfaces(out);
+   if (!rigid_bodies.empty())
+   {
+      out << "\nrigid bodies\n";
+      WriteTable(out, rigid_bodies);
+   }
    WritePairs(out);
    out << "\norder " << order << ": " << displacements << " displacements, "
        << pressures << " pressures on " << ranks

@@ -50,6 +50,8 @@ private:
    std::vector<ElementMeasures> elements;
    std::vector<StiffnessRange> stiffness;
    std::vector<SurfaceMeasures> surfaces;
+   /// Of a table.
+   std::vector<std::vector<std::string>> rigid_bodies;
    std::vector<PairAtStart> pairs;
    std::vector<std::string> warnings;
    std::vector<std::string> hints;

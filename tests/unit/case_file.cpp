@@ -479,8 +479,9 @@ TEST_CASE("The list of keys has them all", "[case]")
          "material.N.solid.nu_rtheta ", "material.N.frame.axis ",
          "boundary.N.displacement ", "boundary.N.normal_traction ",
          "boundary.N.spring.stiffness ", "boundary.N.force.curve ",
-         "contact.N.penalty ", "contact.N.search_radius ", "time.adaptive ",
-         "solver.linear ", "output.line.N.times ", "output.checkpoint_every "})
+         "rigid_body.N.rotation ", "contact.N.penalty ",
+         "contact.N.search_radius ", "time.adaptive ", "solver.linear ",
+         "output.line.N.times ", "output.checkpoint_every "})
    {
       CHECK_THAT(text, Contains("\n" + std::string(key)));
    }
