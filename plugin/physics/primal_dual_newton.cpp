@@ -100,7 +100,8 @@ real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
 real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
                                        ResidualTolerance &tolerance)
 {
-   // Where the balance is this good, so is what is known of the fluid.
+   // Where the balance is this good, and the set rests, so is what is known of
+   // the fluid.
    constexpr real_t known = 1e4;
    real_t norm = Assess(stage, ContactStiffness::none, tolerance);
    if (norm <= 1.0 && stage.from_start)
@@ -110,7 +111,7 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
                                      body_imbalance.GetBlock(1));
       norm = Assess(stage, ContactStiffness::none, tolerance);
    }
-   if (norm <= known && !stage.from_start)
+   if (norm <= known && !set_changed && !stage.from_start)
    {
       Vector momentum(body_imbalance.GetBlock(0));
       Vector mass(body_imbalance.GetBlock(1));
