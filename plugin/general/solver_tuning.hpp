@@ -57,7 +57,7 @@ struct NewtonTuning
    /// The linear systems of finite deformation are solved to this part of the
    /// nonlinear residual at least. Larger: cheaper iterations, and more of
    /// them.
-   mfem::real_t largest_forcing = 1e-2;
+   mfem::real_t largest_forcing = 1e-4;
    /// Of Eisenstat and Walker's forcing term, factor of the squared reduction
    /// of the residual in the last iteration.
    mfem::real_t forcing_factor = 0.9;
