@@ -23,6 +23,9 @@ struct Setup
    TimeOptions times;
    int order = 1;
    LinearMethod method = LinearMethod::direct;
+   Deformation deformation = Deformation::infinitesimal;
+   real_t slide = 0.0;
+   real_t gap_tolerance = 0.0;
    /// The checkpoint is written once this time is passed.
    real_t interruption = 0.0;
 };
@@ -43,7 +46,10 @@ PressedBoxOptions Options(const Setup &setup)
    PressedBoxOptions options;
    options.order = setup.order;
    options.method = setup.method;
+   options.deformation = setup.deformation;
+   options.slide = setup.slide;
    options.relative_tolerance = 1e-12;
+   options.gap_tolerance = setup.gap_tolerance;
    return options;
 }
 
@@ -253,4 +259,24 @@ TEST_CASE("A run resumed by more ranks, or on the first of them, equals the "
    {
       Compare(alone, whole, 1e-8);
    }
+}
+
+TEST_CASE(
+   "A run resumed in finite deformation, while the box slides, equals the "
+   "uninterrupted one")
+{
+   Setup setup;
+   setup.times.end = PressedBox::end;
+   setup.times.step = 10.0;
+   setup.interruption = 40.0;
+   setup.deformation = Deformation::finite;
+   setup.slide = 0.2;
+   // Newton's method begins from other factors, and ends with other gaps within
+   // their tolerance.
+   setup.gap_tolerance = 1e-9;
+   const TemporaryDirectory directory;
+   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
+   const std::string file =
+      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-10);
 }

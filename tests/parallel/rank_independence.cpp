@@ -21,6 +21,8 @@ struct Setup
 {
    int order = 1;
    LinearMethod method = LinearMethod::direct;
+   Deformation deformation = Deformation::infinitesimal;
+   real_t slide = 0.0;
 };
 
 struct Row
@@ -39,6 +41,8 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
    PressedBoxOptions options;
    options.order = setup.order;
    options.method = setup.method;
+   options.deformation = setup.deformation;
+   options.slide = setup.slide;
    PressedBox box(comm, options);
    TimeOptions times;
    times.end = PressedBox::end;
@@ -66,14 +70,9 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
    }
    return rows;
 }
-} // namespace
 
-TEST_CASE("All ranks together find what each finds alone")
+void CheckTogetherAndAlone(const Setup &setup)
 {
-   Setup setup;
-   setup.order = GENERATE(1, 2);
-   setup.method = GENERATE(LinearMethod::direct, LinearMethod::block_amg);
-   CAPTURE(setup.order, static_cast<int>(setup.method));
    const std::vector<Row> together = Solve(setup, MPI_COMM_WORLD);
    const std::vector<Row> alone = Solve(setup, MPI_COMM_SELF);
    REQUIRE(together.size() == alone.size());
@@ -113,4 +112,22 @@ TEST_CASE("All ranks together find what each finds alone")
       CHECK(std::abs(together[i].outflow - alone[i].outflow) <=
             agreement * largest_outflow);
    }
+}
+} // namespace
+
+TEST_CASE("All ranks together find what each finds alone")
+{
+   Setup setup;
+   setup.order = GENERATE(1, 2);
+   setup.method = GENERATE(LinearMethod::direct, LinearMethod::block_amg);
+   CAPTURE(setup.order, static_cast<int>(setup.method));
+   CheckTogetherAndAlone(setup);
+}
+
+TEST_CASE("So they do in finite deformation, while the box slides")
+{
+   Setup setup;
+   setup.deformation = Deformation::finite;
+   setup.slide = 0.2;
+   CheckTogetherAndAlone(setup);
 }

@@ -1,5 +1,6 @@
 #include "support/pressed_box.hpp"
 #include "support/boxes.hpp"
+#include "synovia/materials/solids/neo_hookean.hpp"
 
 namespace synovia
 {
@@ -39,29 +40,44 @@ NamedMesh MakeBodies(MPI_Comm comm, const int *partitioning)
    return DistributeStack(mesh, comm, partitioning);
 }
 
-SpaceOptions Order(int order)
+SpaceOptions SpaceOf(const PressedBoxOptions &options)
 {
    SpaceOptions space;
-   space.order = order;
+   space.order = options.order;
+   space.deformation = options.deformation;
    return space;
+}
+
+std::unique_ptr<SolidLaw> MakeSolid(Deformation deformation, real_t young,
+                                    real_t poisson)
+{
+   if (deformation == Deformation::finite)
+   {
+      return std::make_unique<NeoHookean>(young, poisson);
+   }
+   return std::make_unique<IsotropicElastic>(young, poisson);
 }
 } // namespace
 
 PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
-   : mesh(MakeBodies(comm, options.partitioning)), layer_solid(0.5, 0.1),
-     layer_fluid(4.0e-3), box_solid(5.0, 0.2), box_fluid(4.0e-2),
-     problem(mesh, Order(options.order))
+   : mesh(MakeBodies(comm, options.partitioning)),
+     layer_solid(MakeSolid(options.deformation, 0.5, 0.1)), layer_fluid(4.0e-3),
+     box_solid(MakeSolid(options.deformation, 5.0, 0.2)), box_fluid(4.0e-2),
+     problem(mesh, SpaceOf(options))
 {
-   problem.SetMaterial("lower", layer_solid, layer_fluid);
-   problem.SetMaterial("upper", box_solid, box_fluid);
+   problem.SetMaterial("lower", *layer_solid, layer_fluid);
+   problem.SetMaterial("upper", *box_solid, box_fluid);
    problem.FixDisplacement("lower_z0");
-   problem.PrescribeDisplacement("upper_z1", 0, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 0,
+                                 LoadCurve({0.0, end}, {0.0, options.slide}));
    problem.PrescribeDisplacement("upper_z1", 1, 0.0);
    // Down, and up again as far as to where it lifts off in part.
    problem.PrescribeDisplacement(
       "upper_z1", 2, LoadCurve({0.0, 40.0, end}, {0.0, -0.03, -0.01}));
    problem.PrescribePressure("upper_z1", 0.0);
-   problem.AddContact("upper_z0", "lower_z1");
+   ContactOptions contact;
+   contact.gap_tolerance = options.gap_tolerance;
+   problem.AddContact("upper_z0", "lower_z1", contact);
    if (options.body_force)
    {
       problem.Conditions().AddBodyForce(*options.body_force);

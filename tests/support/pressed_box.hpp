@@ -8,8 +8,13 @@ namespace synovia
 struct PressedBoxOptions
 {
    int order = 1;
+   Deformation deformation = Deformation::infinitesimal;
+   /// Along x, of the box's top in all (length).
+   mfem::real_t slide = 0.0;
    LinearMethod method = LinearMethod::direct;
    mfem::real_t relative_tolerance = 1e-11;
+   /// Of the contact (length); 0: derived.
+   mfem::real_t gap_tolerance = 0.0;
    int max_newton = 30;
    DirectOptions direct;
    /// A rank for each of the elements; METIS decides without.
@@ -34,9 +39,9 @@ public:
 
 private:
    NamedMesh mesh;
-   IsotropicElastic layer_solid;
+   std::unique_ptr<SolidLaw> layer_solid;
    ConstantPermeability layer_fluid;
-   IsotropicElastic box_solid;
+   std::unique_ptr<SolidLaw> box_solid;
    ConstantPermeability box_fluid;
    BiphasicProblem problem;
 };
