@@ -23,9 +23,11 @@
 
 #include "synovia/synovia.hpp"
 
+#include "synovia/feb/feb_import.hpp"
 #include "synovia/general/suggestion.hpp"
 #include "synovia/general/version.hpp"
 
+#include <filesystem>
 #include <iostream>
 
 using namespace synovia;
@@ -35,14 +37,15 @@ namespace
 
 constexpr const char *usage =
    R"(usage: synovia CASE.toml [OPTION...]     (also with mpirun -np N before it)
+       synovia MODEL.feb [OPTION...]     a model of FEBio
 
   --check               stop after the check, and print the problem
   --set KEY.PATH=VALUE  override a key; the value as in the file, such as
                         time.step=5 or 'output.directory="out"'. Entries of lists
                         go by number from 0 or by name: contact.0.penalty=10.
                         Can be given several times
-  --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'
-                        A run does not begin where another one left results
+  --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'; -o
+                        is short for it. A run does not begin where another one left results
   --overwrite           remove those, and begin; other files stay
   --resume              go on from the newest checkpoint in the output directory
                         that is good; begin at the start if there is none. Only
@@ -50,20 +53,24 @@ constexpr const char *usage =
   --restart FILE        go on from this checkpoint, whatever has changed that
                         keeps mesh, order and contact pairs; the log lists it.
                         What its output directory has of later times is removed
+  --convert             only write MODEL.feb as a case and a mesh, to the output
+                        directory; they give the same run and can be edited
   --dry-schema          list all keys of a case with types, defaults and units
   --help                print this
   --version             print the versions of synovia and what it uses
 )";
 
 const std::vector<std::string> option_names = {
-   "--check",   "--set",        "--output", "--overwrite", "--resume",
-   "--restart", "--dry-schema", "--help",   "--version"};
+   "--check",   "--set",     "--output",     "--overwrite", "--resume",
+   "--restart", "--convert", "--dry-schema", "--help",      "--version"};
 
 struct Options
 {
    std::string file;
    std::vector<std::string> overrides;
+   std::string output;
    std::string restart;
+   bool convert = false;
    bool overwrite = false;
    bool resume = false;
    bool check = false;
@@ -143,10 +150,11 @@ Options Parse(int argc, char *argv[])
          options.overrides.push_back(arguments.Value(word));
          continue;
       }
-      if (word == "--output")
+      if (word == "--output" || word == "-o")
       {
+         options.output = arguments.Value(word);
          options.overrides.push_back("output.directory=" +
-                                     Quoted(arguments.Value(word)));
+                                     Quoted(options.output));
          continue;
       }
       if (word == "--restart")
@@ -158,6 +166,10 @@ Options Parse(int argc, char *argv[])
       if (word == "--check")
       {
          options.check = true;
+      }
+      else if (word == "--convert")
+      {
+         options.convert = true;
       }
       else if (word == "--overwrite")
       {
@@ -197,6 +209,22 @@ Options Parse(int argc, char *argv[])
    return options;
 }
 
+/// Writes a model of FEBio as a case, which the options name from then on.
+void Convert(Options &options)
+{
+   const std::string name = std::filesystem::path(options.file).stem();
+   const std::string directory = !options.output.empty() ? options.output
+                                 : options.convert       ? name
+                                                         : "out/" + name;
+   options.file = ConvertFeb(options.file, directory, MPI_COMM_WORLD);
+   options.overrides.insert(options.overrides.begin(),
+                            "output.directory=" + Quoted(directory));
+   if (options.convert && mfem::Mpi::Root())
+   {
+      std::cout << "wrote " << options.file << std::endl;
+   }
+}
+
 /// Whether there was something to print and nothing else to do.
 bool Print(const Options &options)
 {
@@ -228,7 +256,7 @@ bool Print(const Options &options)
 
 int Run(int argc, char *argv[])
 {
-   const Options options = Parse(argc, argv);
+   Options options = Parse(argc, argv);
    if (Print(options))
    {
       return 0;
@@ -244,6 +272,19 @@ int Run(int argc, char *argv[])
    if (options.resume && options.overwrite)
    {
       Fail("--resume and --overwrite exclude each other");
+   }
+   if (options.convert && !IsFebFile(options.file))
+   {
+      Fail(
+         "--convert takes a model of FEBio, a file whose name ends with .feb");
+   }
+   if (IsFebFile(options.file))
+   {
+      Convert(options);
+      if (options.convert)
+      {
+         return 0;
+      }
    }
    Simulation simulation(
       ReadCase(options.file, MPI_COMM_WORLD, options.overrides),

@@ -299,6 +299,9 @@ KeyTable TimeKeys(TimeOptions &time)
              "length below which no step is cut; step / 1000");
    keys.Auto("max_step", time.max_step, time_unit,
              "longest adaptive step; end / 10, or step if that is longer");
+   keys.Value("stops", time.stops, time_unit,
+              "times at which a step shall end, besides the points of curves; "
+              "they matter between 0 and the end");
    return keys;
 }
 

@@ -24,3 +24,10 @@ if(NOT TARGET synovia::hdf5)
   target_compile_definitions(synovia::hdf5 INTERFACE ${HDF5_C_DEFINITIONS})
   target_link_libraries(synovia::hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 endif()
+
+find_package(pugixml QUIET CONFIG)
+if(NOT pugixml_FOUND)
+  message(FATAL_ERROR "pugixml, which reads models of FEBio, was not found. "
+    "Install it (Debian: libpugixml-dev), or pass -Dpugixml_DIR=<prefix>/lib/"
+    "cmake/pugixml.")
+endif()

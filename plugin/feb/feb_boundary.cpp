@@ -1,0 +1,188 @@
+#include "synovia/feb/feb_model.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Of the word for a component of the displacement; -1 if it is another.
+int Component(const std::string &dof)
+{
+   return dof == "x" ? 0 : dof == "y" ? 1 : dof == "z" ? 2 : -1;
+}
+
+void Displace(const std::string &surface, int component, const LoadCurve &value,
+              FebModel &model)
+{
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   boundary.displacement[component] = value;
+   model.setup.boundaries.push_back(boundary);
+}
+
+void Press(const std::string &surface, const LoadCurve &value, FebModel &model)
+{
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   boundary.pressure = value;
+   model.setup.boundaries.push_back(boundary);
+}
+
+// What dofs say, such as x,y,z or p.
+void Prescribe(const FebInput &where, const std::string &surface,
+               const std::string &dofs, const LoadCurve &value, FebModel &model)
+{
+   std::string word;
+   for (const char c : dofs + ",")
+   {
+      if (c != ',' && c != ' ')
+      {
+         word += c;
+         continue;
+      }
+      if (word == "p")
+      {
+         Press(surface, value, model);
+      }
+      else if (Component(word) >= 0)
+      {
+         Displace(surface, Component(word), value, model);
+      }
+      else if (!word.empty())
+      {
+         where.Stop("the freedom \"" + word +
+                    "\" is not known; there are x, y, z and p");
+      }
+      word.clear();
+   }
+}
+
+void Fix(const FebInput &condition, const std::string &surface, FebModel &model)
+{
+   const char *const names[3] = {"x_dof", "y_dof", "z_dof"};
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   bool any = false;
+   for (int d = 0; d < 3; d++)
+   {
+      if (condition.Flag(names[d], false))
+      {
+         boundary.displacement[d] = LoadCurve(0.0);
+         any = true;
+      }
+   }
+   if (any && !surface.empty())
+   {
+      model.setup.boundaries.push_back(boundary);
+   }
+}
+
+void Tie(const FebInput &condition, const std::string &surface,
+         const std::string &body, FebModel &model)
+{
+   condition.Ignore("clamp_shells", "there are no deformable shells");
+   RigidBodyCase *rigid = model.FindRigid(body, condition);
+   if (rigid && !surface.empty())
+   {
+      rigid->surfaces.push_back(surface);
+   }
+}
+
+void ReadCondition(const FebInput &condition, FebModel &model)
+{
+   const std::string type = condition.NeededAttribute("type");
+   condition.Attribute("name");
+   const auto has = [&](std::initializer_list<const char *> names)
+   { return std::find(names.begin(), names.end(), type) != names.end(); };
+   if (!has({"zero displacement", "prescribed displacement",
+             "zero fluid pressure", "prescribed fluid pressure", "rigid", "fix",
+             "prescribe"}))
+   {
+      condition.StopAll("conditions of the type \"" + type +
+                        "\" are not known; there are zero displacement, "
+                        "prescribed displacement, zero fluid pressure, "
+                        "prescribed fluid pressure, rigid");
+      return;
+   }
+   condition.Expect("relative", false,
+                    "values relative to those at the start are not known");
+   const std::string surface =
+      model.surfaces->OfNodes(condition.NeededAttribute("node_set"), condition);
+   const std::string dofs =
+      has({"fix"}) ? condition.Word("dofs", "") : condition.Word("dof", "");
+   std::optional<LoadCurve> value;
+   if (has({"prescribed displacement", "prescribed fluid pressure"}))
+   {
+      value = model.Value(condition, "value");
+   }
+   else if (has({"prescribe"}))
+   {
+      value = model.Value(condition, "scale");
+   }
+   if (has({"zero displacement"}))
+   {
+      Fix(condition, surface, model);
+   }
+   else if (has({"rigid"}))
+   {
+      Tie(condition, surface, condition.Word("rb", ""), model);
+   }
+   else if (surface.empty())
+   {
+      return;
+   }
+   else if (has({"zero fluid pressure", "prescribed fluid pressure"}))
+   {
+      Press(surface, value.value_or(LoadCurve(0.0)), model);
+   }
+   else
+   {
+      Prescribe(condition, surface, dofs, value.value_or(LoadCurve(0.0)),
+                model);
+   }
+}
+
+// <fix>, <prescribe> and <rigid> of version 2.5.
+void ReadFormerCondition(const FebInput &condition, FebModel &model)
+{
+   condition.Attribute("name");
+   const std::string surface =
+      model.surfaces->OfNodes(condition.NeededAttribute("node_set"), condition);
+   if (condition.Name() == "rigid")
+   {
+      Tie(condition, surface, condition.NeededAttribute("rb"), model);
+      return;
+   }
+   const std::string dofs = condition.NeededAttribute("bc");
+   LoadCurve value(0.0);
+   if (condition.Name() == "prescribe")
+   {
+      condition.Expect("relative", false,
+                       "values relative to those at the start are not known");
+      value = model.Value(condition, "scale");
+   }
+   if (!surface.empty())
+   {
+      Prescribe(condition, surface, dofs, value, model);
+   }
+}
+} // namespace
+
+void ReadBoundary(const FebInput &section, FebModel &model)
+{
+   for (const FebInput &condition : section.All("bc"))
+   {
+      ReadCondition(condition, model);
+   }
+   for (const char *name : {"fix", "prescribe", "rigid"})
+   {
+      for (const FebInput &condition : section.All(name))
+      {
+         ReadFormerCondition(condition, model);
+      }
+   }
+}
+
+} // namespace synovia

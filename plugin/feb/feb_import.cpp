@@ -1,0 +1,290 @@
+#include "synovia/feb/feb_import.hpp"
+#include "synovia/cases/case_keys.hpp"
+#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/msh_writer.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/output_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+namespace fs = std::filesystem;
+using Fate = FebReport::Fate;
+
+void ReadModule(const FebInput &root)
+{
+   const std::optional<FebInput> module = root.Find("Module");
+   const std::string type = module ? module->Attribute("type") : "";
+   if (module && type != "biphasic")
+   {
+      module->Stop("the module \"" + type +
+                   "\" is not known; there is biphasic");
+   }
+   if (!module)
+   {
+      root.Stop("the section Module is missing");
+   }
+}
+
+// A section, or an empty one if it is missing.
+template <typename Read>
+void ForSection(const FebInput &root, const std::string &name, Read read)
+{
+   if (const std::optional<FebInput> section = root.Find(name))
+   {
+      read(*section);
+   }
+}
+
+void IgnoreOutput(const FebInput &root)
+{
+   root.Ignore("Globals", "they are constants of solutes");
+   ForSection(root, "Output",
+              [](const FebInput &output)
+              {
+                 output.Ignore("plotfile",
+                               "fields/ has all fields of each step");
+                 output.Ignore("logfile", "history.csv has forces, reactions "
+                                          "and contact of each step");
+              });
+   ForSection(root, "MeshData",
+              [](const FebInput &data)
+              {
+                 for (const FebInput &entry : data.All("ElementData"))
+                 {
+                    if (entry.Attribute("type") == "shell thickness")
+                    {
+                       entry.IgnoreAll("only rigid shells are read");
+                    }
+                    else
+                    {
+                       entry.StopAll("data of elements are not known");
+                    }
+                 }
+              });
+}
+
+// Nodes that elements of a rigid material share with deformable ones are tied
+// to the body.
+void TieSharedNodes(const FebInput &root, const FebRigidMaterial &material,
+                    FebModel &model, RigidBodyCase &body)
+{
+   std::set<int> shared;
+   for (const FebPart &part : model.mesh.parts)
+   {
+      if (material.IsCalled(part.material))
+      {
+         for (const FebCell &cell : part.cells)
+         {
+            for (const int node : cell.nodes)
+            {
+               if (model.surfaces->IsUsed(node))
+               {
+                  shared.insert(node);
+               }
+            }
+         }
+      }
+   }
+   if (!shared.empty())
+   {
+      const std::string name = body.name + "_tied";
+      model.mesh.node_sets[name].assign(shared.begin(), shared.end());
+      const std::string surface = model.surfaces->OfNodes(name, root);
+      if (!surface.empty())
+      {
+         body.surfaces.push_back(surface);
+      }
+   }
+}
+
+void AddRigidBodies(const FebInput &root, FebModel &model)
+{
+   for (const FebRigidMaterial &material : model.materials.rigid)
+   {
+      RigidBodyCase body;
+      body.name =
+         material.name.empty() ? "rigid_" + material.number : material.name;
+      body.reference = material.center;
+      TieSharedNodes(root, material, model, body);
+      model.setup.rigid_bodies.push_back(body);
+   }
+}
+
+// 1 if all elements are linear, 2 if one of them isn't.
+int Order(const FebMesh &mesh, const std::set<int> &parts)
+{
+   int order = 1;
+   for (const int part : parts)
+   {
+      order = std::max(order, mesh.parts[part].shape->order);
+   }
+   return order;
+}
+
+void ReadModel(const FebInput &root, FebModel &model)
+{
+   ReadModule(root);
+   ForSection(root, "LoadData",
+              [&](const FebInput &section)
+              { model.curves = ReadLoadData(section); });
+   model.steps.ends = {1.0};
+   model.steps.length = 1.0;
+   ForSection(root, "Control",
+              [&](const FebInput &section)
+              { model.steps = ReadControl(section, model.curves); });
+   for (const char *name : {"Mesh", "Geometry"})
+   {
+      ForSection(root, name,
+                 [&](const FebInput &section)
+                 { model.mesh = ReadFebMesh(section); });
+   }
+   ForSection(root, "MeshDomains",
+              [&](const FebInput &section)
+              { ReadMeshDomains(section, model.mesh); });
+   ForSection(root, "Material",
+              [&](const FebInput &section)
+              { model.materials = ReadMaterials(section, model.mesh); });
+   model.surfaces =
+      std::make_unique<FebSurfaces>(model.mesh, model.materials.deformable);
+   model.setup.materials = model.materials.materials;
+   AddRigidBodies(root, model);
+   using Section = void (*)(const FebInput &, FebModel &);
+   const std::pair<const char *, Section> sections[] = {
+      {"Boundary", ReadBoundary},
+      {"Rigid", ReadRigid},
+      {"Loads", ReadLoads},
+      {"Contact", ReadContact}};
+   for (const auto &[name, read] : sections)
+   {
+      if (const std::optional<FebInput> section = root.Find(name))
+      {
+         read(*section, model);
+      }
+   }
+   for (size_t i = 0; i < model.setup.rigid_bodies.size(); i++)
+   {
+      if (model.setup.rigid_bodies[i].surfaces.empty())
+      {
+         model.materials.rigid[i].where.Stop(
+            "no nodes of a deformable solid are tied to this rigid body; one "
+            "that only touches others is not known");
+      }
+   }
+}
+
+std::string ReadFile(const std::string &file)
+{
+   std::ifstream in(file, std::ios::binary);
+   std::stringstream text;
+   text << in.rdbuf();
+   if (!in || text.fail())
+   {
+      throw Error(file + ": cannot be read; is it there?");
+   }
+   return text.str();
+}
+
+// The case as TOML, headed by what is not as in the model.
+std::string CaseText(FebImport &import, const std::string &source)
+{
+   std::ostringstream report;
+   import.report.Print(source, report);
+   std::ostringstream out;
+   out << "# From " << source << '\n';
+   std::istringstream lines(report.str());
+   for (std::string line; std::getline(lines, line);)
+   {
+      out << "# " << line << '\n';
+   }
+   CaseKeys(import.setup).Write(out);
+   return out.str();
+}
+} // namespace
+
+bool IsFebFile(const std::string &file)
+{
+   return fs::path(file).extension() == ".feb";
+}
+
+FebImport ImportFeb(const std::string &text, const std::string &source)
+{
+   const FebElement element = ParseXml(text, source);
+   if (element.name != "febio_spec")
+   {
+      throw Error(source + ":" + std::to_string(element.line) + ": found <" +
+                  element.name + ">; a model of FEBio is in <febio_spec>");
+   }
+   FebImport import;
+   const FebInput root(element, "", import.report);
+   const std::string version = root.Attribute("version");
+   if (version != "2.5" && version != "3.0" && version != "4.0")
+   {
+      throw Error(source + ":" + std::to_string(element.line) +
+                  ": found the format version \"" + version +
+                  "\"; there are 2.5, 3.0 and 4.0");
+   }
+   FebModel model;
+   ReadModel(root, model);
+   IgnoreOutput(root);
+   import.report.ListUnread(element);
+   if (import.report.IsStopped())
+   {
+      return import;
+   }
+   import.setup = model.setup;
+   const std::string name = fs::path(source).stem().string();
+   import.setup.title = name;
+   import.setup.mesh.file = name + ".msh";
+   import.setup.space.deformation = Deformation::finite;
+   import.setup.space.order = Order(model.mesh, model.materials.deformable);
+   import.setup.time = model.steps.Options();
+   import.setup.output.directory = "out/" + name;
+   import.setup.output.fields_every = model.steps.fields_every;
+   import.mesh =
+      MshText(model.mesh, model.materials.deformable, *model.surfaces);
+   return import;
+}
+
+std::string ConvertFeb(const std::string &file, const std::string &directory,
+                       MPI_Comm comm)
+{
+   const std::string name = fs::path(file).stem().string();
+   const std::string written =
+      (fs::path(directory) / (name + ".toml")).string();
+   OnRoot(comm,
+          [&]()
+          {
+             FebImport import = ImportFeb(ReadFile(file), file);
+             if (import.report.IsStopped())
+             {
+                std::ostringstream all;
+                import.report.Print(file, all);
+                throw Error(file + " can't be imported\n" + all.str());
+             }
+             import.report.Print(file, std::cout);
+             std::error_code error;
+             fs::create_directories(directory, error);
+             if (error)
+             {
+                throw Error(directory + ": " + error.message());
+             }
+             ReplaceFile(
+                (fs::path(directory) / import.setup.mesh.file).string(),
+                import.mesh);
+             ReplaceFile(written, CaseText(import, file));
+          });
+   return written;
+}
+
+} // namespace synovia

@@ -1,0 +1,149 @@
+#include "synovia/feb/feb_materials.hpp"
+#include "synovia/feb/feb_laws.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+// Cases have none without a solid.
+constexpr real_t least_solid_fraction = 1e-9;
+
+bool IsIdentity(const Tensor3<> &axes)
+{
+   return axes[0][0] == 1.0 && axes[1][1] == 1.0 && axes[2][2] == 1.0;
+}
+
+MaterialCase ReadBiphasic(const FebInput &material)
+{
+   MaterialCase result;
+   result.solid_fraction = material.Number("phi0", 0.0);
+   if (!(result.solid_fraction >= 0.0 && result.solid_fraction < 1.0))
+   {
+      material.Stop("phi0 must be at least 0 and below 1");
+   }
+   if (result.solid_fraction == 0.0)
+   {
+      result.solid_fraction = least_solid_fraction;
+      material.Approximate("phi0 = 0 is taken for 1e-9");
+   }
+   material.Ignore("fluid_density", "inertia is left out");
+   material.Ignore("density", "inertia is left out");
+   material.Expect("tau", false, "tau other than 0 is not known");
+   const Tensor3<> axes = ReadAxes(material);
+   const std::optional<FebInput> permeability = material.Find("permeability");
+   const std::optional<FebInput> solid = material.Find("solid");
+   if (!permeability || !solid)
+   {
+      material.Stop("a biphasic material has a solid and a permeability");
+      return result;
+   }
+   result.permeability = ReadPermeability(*permeability);
+   if (!IsIdentity(axes) ||
+       result.permeability.model == "referential_transversely_isotropic")
+   {
+      result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
+   }
+   result.solid = ReadSolid(*solid, axes, result.frame);
+   return result;
+}
+
+FebRigidMaterial ReadRigid(const FebInput &material)
+{
+   FebRigidMaterial rigid{material.Attribute("id"), material.Attribute("name"),
+                          material};
+   for (const char *name : {"density", "E", "v"})
+   {
+      material.Ignore(name, "a rigid body has neither inertia nor strain");
+   }
+   const std::optional<FebInput> center = material.Find("center_of_mass");
+   if (!center)
+   {
+      material.Stop("center_of_mass is missing; forces and rotations are "
+                    "about it");
+      return rigid;
+   }
+   const std::vector<real_t> x = center->Numbers();
+   if (x.size() == 3)
+   {
+      rigid.center = {x[0], x[1], x[2]};
+   }
+   else
+   {
+      center->Stop("a point has three coordinates");
+   }
+   return rigid;
+}
+} // namespace
+
+FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh)
+{
+   FebMaterials result;
+   std::set<int> left;
+   for (size_t p = 0; p < mesh.parts.size(); p++)
+   {
+      left.insert(static_cast<int>(p));
+   }
+   for (const FebInput &material : section.All("material"))
+   {
+      const std::string number = material.Attribute("id");
+      const std::string name = material.Attribute("name");
+      const std::string type = material.NeededAttribute("type");
+      std::vector<int> parts;
+      for (const int p : left)
+      {
+         const std::string &word = mesh.parts[p].material;
+         if (!word.empty() && (word == name || word == number))
+         {
+            parts.push_back(p);
+         }
+      }
+      for (const int p : parts)
+      {
+         left.erase(p);
+      }
+      if (type == "rigid body")
+      {
+         result.rigid.push_back(ReadRigid(material));
+         continue;
+      }
+      if (type != "biphasic")
+      {
+         material.StopAll("materials of the type \"" + type +
+                          "\" are not known; there are biphasic and rigid "
+                          "body");
+         continue;
+      }
+      MaterialCase entry = ReadBiphasic(material);
+      for (const int p : parts)
+      {
+         if (mesh.parts[p].shape->dimension != 3)
+         {
+            material.Stop("shells of \"" + mesh.parts[p].name +
+                          "\" are of this material; only rigid shells are "
+                          "read");
+            continue;
+         }
+         entry.regions.push_back(mesh.parts[p].name);
+         result.deformable.insert(p);
+      }
+      if (entry.regions.empty())
+      {
+         material.IgnoreAll("no elements are of this material");
+      }
+      else
+      {
+         result.materials.push_back(entry);
+      }
+   }
+   for (const int p : left)
+   {
+      section.Stop("the elements \"" + mesh.parts[p].name + "\" (line " +
+                   std::to_string(mesh.parts[p].line) + ") have no material");
+   }
+   return result;
+}
+
+} // namespace synovia

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "synovia/feb/feb_input.hpp"
+#include "synovia/feb/feb_shapes.hpp"
+#include "synovia/general/point3.hpp"
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace synovia
+{
+
+/// An element by its nodes' places in FebMesh, in FEBio's order.
+struct FebCell
+{
+   long long number;
+   std::vector<int> nodes;
+};
+
+/// Elements of one type that have one material.
+struct FebPart
+{
+   std::string name;
+   const FebShape *shape = nullptr;
+   /// The name of the material, or its number; empty until it is known.
+   std::string material;
+   std::vector<FebCell> cells;
+   int line = 0;
+};
+
+/// Nodes, elements and sets of a model.
+struct FebMesh
+{
+   std::vector<Point3> nodes;
+   /// Their numbers in the file, and back.
+   std::vector<long long> numbers;
+   std::unordered_map<long long, int> places;
+   std::vector<FebPart> parts;
+   std::map<std::string, std::vector<int>> node_sets;
+   /// Facets by their corners.
+   std::map<std::string, std::vector<std::vector<int>>> surfaces;
+   /// Primary and secondary surface.
+   std::map<std::string, std::pair<std::string, std::string>> surface_pairs;
+};
+
+/// Reads the section Mesh, which is Geometry in version 2.5.
+FebMesh ReadFebMesh(const FebInput &section);
+
+/// Reads the section MeshDomains, which says what parts are made of.
+void ReadMeshDomains(const FebInput &section, FebMesh &mesh);
+
+} // namespace synovia

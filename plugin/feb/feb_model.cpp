@@ -1,0 +1,40 @@
+#include "synovia/feb/feb_model.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+LoadCurve FebModel::Value(const FebInput &value) const
+{
+   const real_t factor = value.Number();
+   const FebCurve *curve = FindCurve(value, curves);
+   return curve ? curve->ForSteps(steps.ends, factor) : LoadCurve(factor);
+}
+
+LoadCurve FebModel::Value(const FebInput &from, const std::string &child) const
+{
+   const std::optional<FebInput> value = from.Find(child);
+   if (!value)
+   {
+      from.Stop("<" + child + "> is missing");
+      return LoadCurve(0.0);
+   }
+   return Value(*value);
+}
+
+RigidBodyCase *FebModel::FindRigid(const std::string &word,
+                                   const FebInput &where)
+{
+   for (size_t i = 0; i < materials.rigid.size(); i++)
+   {
+      if (!word.empty() && materials.rigid[i].IsCalled(word))
+      {
+         return &setup.rigid_bodies[i];
+      }
+   }
+   where.Stop("there is no rigid body called \"" + word + "\"");
+   return nullptr;
+}
+
+} // namespace synovia

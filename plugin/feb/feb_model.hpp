@@ -1,0 +1,39 @@
+#pragma once
+
+#include "synovia/cases/case_file.hpp"
+#include "synovia/feb/feb_curves.hpp"
+#include "synovia/feb/feb_materials.hpp"
+#include "synovia/feb/feb_mesh.hpp"
+#include "synovia/feb/feb_steps.hpp"
+#include "synovia/feb/feb_surfaces.hpp"
+
+namespace synovia
+{
+
+/// A model as far as it has been read, while sections are added to its case.
+struct FebModel
+{
+   FebMesh mesh;
+   FebCurves curves;
+   FebSteps steps;
+   FebMaterials materials;
+   /// Borrows the mesh.
+   std::unique_ptr<FebSurfaces> surfaces;
+   CaseFile setup;
+
+   /// The number in @a value, as a curve if it names a load controller.
+   LoadCurve Value(const FebInput &value) const;
+   /// That of the child of the name; 0, and @a from stops, if there is none.
+   LoadCurve Value(const FebInput &from, const std::string &child) const;
+   /// The rigid body of the case that @a word stands for, by the number or name
+   /// of its material; null, and @a where stops, if there is none.
+   RigidBodyCase *FindRigid(const std::string &word, const FebInput &where);
+};
+
+/// Add what a section of the file says to the case of the model.
+void ReadBoundary(const FebInput &section, FebModel &model);
+void ReadRigid(const FebInput &section, FebModel &model);
+void ReadLoads(const FebInput &section, FebModel &model);
+void ReadContact(const FebInput &section, FebModel &model);
+
+} // namespace synovia

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "synovia/feb/feb_curves.hpp"
+#include "synovia/time/time_stepper.hpp"
+
+namespace synovia
+{
+
+/// How a model marches in time.
+struct FebSteps
+{
+   /// The ends of the steps, from above 0.
+   std::vector<mfem::real_t> ends;
+   /// Of the steps, where all have the same.
+   mfem::real_t length = 0.0;
+   /// Steps from one output of fields to the next; 0: none.
+   int fields_every = 1;
+
+   TimeOptions Options() const;
+};
+
+/// Reads the section Control. Where FEBio chooses the steps by its iterations,
+/// these are the ones that it takes if every step converges well.
+FebSteps ReadControl(const FebInput &section, const FebCurves &curves);
+
+} // namespace synovia

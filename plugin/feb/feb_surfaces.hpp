@@ -1,0 +1,60 @@
+#pragma once
+
+#include "synovia/feb/feb_mesh.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace synovia
+{
+
+/// Surfaces of a case, made from sets of nodes and of facets of a model.
+class FebSurfaces
+{
+public:
+   /// A named set of outer faces.
+   struct Group
+   {
+      std::string name;
+      std::vector<int> faces;
+   };
+
+   /// Takes those parts into account whose places @a parts has. Borrows
+   /// @a mesh.
+   FebSurfaces(const FebMesh &mesh, const std::set<int> &parts);
+
+   /// The name of the surface whose nodes are those of the set, which
+   /// "@surface:NAME" stands for, too; empty, and @a where stops, if there is
+   /// no such set, or if its nodes aren't those of whole outer faces.
+   std::string OfNodes(const std::string &set, const FebInput &where);
+   /// Likewise for the surface of that name.
+   std::string OfFacets(const std::string &surface, const FebInput &where);
+
+   const std::vector<Group> &Groups() const { return groups; }
+   /// The corners of an outer face.
+   const std::vector<int> &Corners(int face) const { return faces[face]; }
+   /// Whether a node belongs to an element that is taken into account.
+   bool IsUsed(int node) const { return used[node]; }
+   /// Nodes of a set as OfNodes() understands it; null if there is none.
+   const std::vector<int> *FindNodes(const std::string &set);
+
+private:
+   std::string Add(const std::string &key, const std::string &name,
+                   const std::vector<int> &members);
+   std::string Unused(const std::string &name) const;
+
+   const FebMesh &mesh;
+   std::vector<std::vector<int>> faces;
+   /// All nodes of each face, with those between its corners.
+   std::vector<std::vector<int>> face_nodes;
+   std::map<std::vector<int>, int> by_corners;
+   std::vector<bool> used;
+   std::vector<Group> groups;
+   /// Names of groups by what they were made of.
+   std::map<std::string, std::string> made;
+   std::map<std::string, std::vector<int>> nodes_of_surfaces;
+};
+
+} // namespace synovia

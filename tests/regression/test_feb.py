@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""Models of FEBio from the file to the result.
+
+Requirements: a column under a small load consolidates as Terzaghi's solution
+says; a converted model gives the history of the model itself to 1e-10, on one
+rank and on two; a model with what is not known is refused before anything runs,
+with the whole list; a rigid platen that a load moves gives the displacement of
+the same traction.
+"""
+
+from __future__ import annotations
+
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+sys.dont_write_bytecode = True
+
+from feb_column import FebColumn  # noqa: E402
+from program_checks import (  # noqa: E402
+    MPIEXEC, PROGRAMS, check, finish, history, run_program)
+
+SYNOVIA = PROGRAMS / "synovia"
+QUICK = ("--set", "output.fields_every=0", "--set",
+         "output.checkpoint_every=0")
+LOAD = 1e-4
+MODULUS = 1.0
+PERMEABILITY = 1e-3
+COUNTS = ("solver.seconds",)
+
+TRACTION = """<Loads>
+<surface_load name="press" surface="top" type="normal_traction">
+<traction>{value}</traction></surface_load>
+</Loads>"""
+RIGID_MATERIAL = """<material id="2" name="platen" type="rigid body">
+<density>1</density><center_of_mass>0.5,0.5,1</center_of_mass></material>"""
+RIGID_TIE = """<bc name="tie" node_set="top_nodes" type="rigid">
+<rb>platen</rb></bc>"""
+RIGID_LOAD = """<Rigid>
+<rigid_bc name="guide" type="rigid_fixed"><rb>platen</rb>
+<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof>
+<Rw_dof>1</Rw_dof></rigid_bc>
+<rigid_load name="press" type="rigid_force"><rb>platen</rb><dof>Rz</dof>
+<value lc="1">{value}</value><load_type>LOAD</load_type></rigid_load>
+</Rigid>"""
+STEP = ("<interpolate>STEP</interpolate><extend>CONSTANT</extend><points>"
+        "<pt>0,0</pt><pt>1,1</pt></points>")
+
+
+def run(model: pathlib.Path, output: pathlib.Path, *before: str):
+    run_program(*before, SYNOVIA, model, "--output", output, *QUICK,
+                text=" ".join((*before, "synovia", model.name)))
+    return history(output)
+
+
+def settlement(t: float) -> float:
+    """Of the top of a column of height 1 under LOAD (Terzaghi)."""
+    rate = math.pi ** 2 / 4 * MODULUS * PERMEABILITY * t
+    series = sum(math.exp(-n * n * rate) / (n * n)
+                 for n in range(1, 200, 2))
+    return LOAD / MODULUS * (1 - 8 / math.pi ** 2 * series)
+
+
+def largest_difference(one, other) -> float:
+    """Between two histories, relative to each column's largest value."""
+    worst = 0.0
+    for name in one[0]:
+        if name in COUNTS:
+            continue
+        scale = max(abs(row[name]) for row in one)
+        if scale > 1e-12:
+            worst = max(worst, max(abs(a[name] - b[name]) / scale
+                                   for a, b in zip(one, other)))
+    return worst
+
+
+def consolidation(directory: pathlib.Path) -> None:
+    model = directory / "consolidation.feb"
+    column = FebColumn(layers=20, steps=200, step=2.5, curves=[STEP],
+                       materials=RIGID_MATERIAL, boundary=RIGID_TIE,
+                       sections=RIGID_LOAD.format(value=-LOAD))
+    model.write_text(column.text())
+    rows = run(model, directory / "platen")
+    worst = max(abs(-row["rigid_body.platen.translation_z"]
+                    - settlement(row["t"])) / LOAD for row in rows[10:])
+    check(len(rows) == 200, "the model's steps are taken")
+    check(worst < 0.01, f"settlement is Terzaghi's within {worst:.2%}")
+    check(all(abs(row["reaction.bottom.z"] - LOAD) < 1e-9 * LOAD
+              for row in rows), "the support bears the platen's load")
+
+    pressed = directory / "traction.feb"
+    pressed.write_text(FebColumn(
+        layers=20, steps=200, step=2.5,
+        sections=TRACTION.format(value=-LOAD)).text())
+    other = run(pressed, directory / "traction")
+    worst = max(abs(a["fluid.peak_pressure"] - b["fluid.peak_pressure"])
+                for a, b in zip(rows, other)) / LOAD
+    check(worst < 1e-6, f"traction and platen press alike: {worst:.1e}")
+
+
+def round_trip(directory: pathlib.Path) -> None:
+    model = directory / "trip.feb"
+    model.write_text(FebColumn(
+        layers=8, steps=20, step=1.0,
+        solid='<solid type="Holmes-Mow"><E>0.7</E><v>0.1</v>'
+              "<beta>0.35</beta></solid>",
+        permeability='<permeability type="perm-Holmes-Mow"><perm>0.00123'
+                     "</perm><M>2.2</M><alpha>2</alpha></permeability>",
+        stepper='<time_stepper type="default"><dtmin>0.01</dtmin>'
+                '<dtmax lc="2">0</dtmax></time_stepper>',
+        sections='<Loads><surface_load name="press" surface="top" '
+                 'type="pressure"><pressure lc="1">0.3</pressure>'
+                 "</surface_load></Loads>",
+        curves=["<interpolate>SMOOTH</interpolate><points><pt>0,0</pt>"
+                "<pt>4,0.3</pt><pt>9,1</pt><pt>20,0.8</pt></points>",
+                "<interpolate>STEP</interpolate><points><pt>0,0</pt>"
+                "<pt>5,1</pt><pt>20,3</pt></points>"]).text())
+    direct = run(model, directory / "direct")
+    run_program(SYNOVIA, "--convert", model, "-o", directory / "case",
+                text="synovia --convert trip.feb")
+    case = directory / "case" / "trip.toml"
+    check(case.is_file() and (directory / "case" / "trip.msh").is_file(),
+          "a case and a mesh are written")
+    check("# " in case.read_text().splitlines()[0]
+          and "approximated" in case.read_text(),
+          "the case says what was not taken as it is")
+    converted = run(case, directory / "converted")
+    worst = largest_difference(direct, converted)
+    check(len(direct) == len(converted) and worst < 1e-10,
+          f"the converted model gives the same history: {worst:.1e}")
+    parallel = run(model, directory / "parallel", MPIEXEC, "-n", "2")
+    worst = max(abs(a["reaction.bottom.z"] - b["reaction.bottom.z"])
+                for a, b in zip(direct, parallel))
+    check(worst < 1e-7, f"two ranks give the same reaction: {worst:.1e}")
+
+
+def refusal(directory: pathlib.Path) -> None:
+    model = directory / "refused.feb"
+    model.write_text(FebColumn(
+        solid='<solid type="Fung"/>',
+        sections=TRACTION.format(value=-LOAD)
+        + '\n<MeshAdaptor><mesh_adaptor type="hex_refine"/></MeshAdaptor>'
+    ).text())
+    lines = model.read_text().splitlines()
+    output = directory / "refused"
+    result = subprocess.run([SYNOVIA, model, "--output", output],
+                            capture_output=True, text=True)
+    check(result.returncode == 1, "what is not known is an error")
+    for part, words in (("Fung", "Material/material/solid: \"Fung\" is not "
+                         "known"),
+                        ("<MeshAdaptor>", "MeshAdaptor: this is not known")):
+        number = next(i for i, line in enumerate(lines, 1) if part in line)
+        check(f"line {number}: {words}" in result.stderr,
+              f"it is named with its line: {words}")
+    check(not output.exists(), "nothing is written")
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        consolidation(directory)
+        round_trip(directory)
+        refusal(directory)
+    finish()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,124 @@
+#include "support/feb_text.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace synovia
+{
+
+std::string FebColumn()
+{
+   return R"(<?xml version="1.0" encoding="ISO-8859-1"?>
+<febio_spec version="4.0">
+	<Module type="biphasic"/>
+	<Control>
+		<analysis>TRANSIENT</analysis>
+		<time_steps>10</time_steps>
+		<step_size>0.5</step_size>
+		<solver type="biphasic"><dtol>0.001</dtol></solver>
+	</Control>
+	<Globals><Constants><T>0</T></Constants></Globals>
+	<Material>
+		<material id="1" name="tissue" type="biphasic">
+			<phi0>0.3</phi0>
+			<fluid_density>1</fluid_density>
+			<solid type="neo-Hookean">
+				<density>1</density>
+				<E>2</E>
+				<v>0.1</v>
+			</solid>
+			<permeability type="perm-Holmes-Mow">
+				<perm>0.01</perm>
+				<M>1.5</M>
+				<alpha>2</alpha>
+			</permeability>
+		</material>
+	</Material>
+	<Mesh>
+		<Nodes name="column">
+			<node id="1">0,0,0</node>
+			<node id="2">1,0,0</node>
+			<node id="3">1,1,0</node>
+			<node id="4">0,1,0</node>
+			<node id="5">0,0,1</node>
+			<node id="6">1,0,1</node>
+			<node id="7">1,1,1</node>
+			<node id="8">0,1,1</node>
+			<node id="9">0,0,2</node>
+			<node id="10">1,0,2</node>
+			<node id="11">1,1,2</node>
+			<node id="12">0,1,2</node>
+		</Nodes>
+		<Elements type="hex8" name="body">
+			<elem id="1">1,2,3,4,5,6,7,8</elem>
+			<elem id="2">5,6,7,8,9,10,11,12</elem>
+		</Elements>
+		<NodeSet name="all">1,2,3,4,5,6,7,8,9,10,11,12</NodeSet>
+		<NodeSet name="bottom">1,2,3,4</NodeSet>
+		<Surface name="top">
+			<quad4 id="1">9,10,11,12</quad4>
+		</Surface>
+	</Mesh>
+	<MeshDomains>
+		<SolidDomain name="body" mat="tissue"/>
+	</MeshDomains>
+	<Boundary>
+		<bc name="sides" node_set="all" type="zero displacement">
+			<x_dof>1</x_dof>
+			<y_dof>1</y_dof>
+			<z_dof>0</z_dof>
+		</bc>
+		<bc name="support" node_set="bottom" type="zero displacement">
+			<x_dof>0</x_dof>
+			<y_dof>0</y_dof>
+			<z_dof>1</z_dof>
+		</bc>
+		<bc name="drained" node_set="@surface:top" type="zero fluid pressure"/>
+	</Boundary>
+	<Loads>
+		<surface_load name="press" surface="top" type="normal_traction">
+			<traction lc="1">-0.5</traction>
+			<linear>0</linear>
+			<effective>0</effective>
+		</surface_load>
+	</Loads>
+	<LoadData>
+		<load_controller id="1" type="loadcurve">
+			<interpolate>LINEAR</interpolate>
+			<extend>CONSTANT</extend>
+			<points>
+				<pt>0,0</pt>
+				<pt>1,2</pt>
+			</points>
+		</load_controller>
+	</LoadData>
+	<Output>
+		<plotfile type="febio"><var type="displacement"/></plotfile>
+	</Output>
+</febio_spec>
+)";
+}
+
+std::string Replaced(const std::string &text, const std::string &old,
+                     const std::string &other)
+{
+   const size_t at = text.find(old);
+   if (at == std::string::npos)
+   {
+      throw std::runtime_error("the text has no " + old);
+   }
+   return text.substr(0, at) + other + text.substr(at + old.size());
+}
+
+int LineOf(const std::string &text, const std::string &part)
+{
+   const size_t at = text.find(part);
+   if (at == std::string::npos)
+   {
+      throw std::runtime_error("the text has no " + part);
+   }
+   return 1 + static_cast<int>(std::count(
+                 text.begin(), text.begin() + static_cast<long>(at), '\n'));
+}
+
+} // namespace synovia

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace synovia
+{
+
+/// A model of FEBio, format 4.0: a column of two hexahedra of edge 1, pressed
+/// from the top, which drains, by a traction that steps on.
+std::string FebColumn();
+
+/// The text with the first @a old replaced, which must be in it.
+std::string Replaced(const std::string &text, const std::string &old,
+                     const std::string &other);
+
+/// The line, from 1, in which the text first has @a part.
+int LineOf(const std::string &text, const std::string &part);
+
+} // namespace synovia
