@@ -76,6 +76,11 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
     parser.add_argument("--inner-edge", type=mesh_script.positive, default=0.5,
                         help="thickness of the menisci at their inner edge "
                              "(mm, default %(default)s)")
+    parser.add_argument("--inner-face", default="upright",
+                        choices=meniscus_wedge.INNER_FACES,
+                        help="of the menisci: upright, or normal to both of "
+                             "their surfaces, with smaller elements beside it, "
+                             "for finite deformation (default %(default)s)")
     mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
 
@@ -115,15 +120,17 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     bodies[FEMUR] = femur()
 
     roof = Cover(anatomy.femur, femoral, True)
+    face = meniscus_wedge.INNER_FACES[args.inner_face]
     frames = {}
     for side, name in MENISCUS.items():
         body = anatomy.menisci[side]
         fitted = Fitted(body, Cover(anatomy.tibia[side], tibial[side], False),
                         roof, lift, REACH)
-        mesh = meniscus_wedge.plane(fitted, args.inner_edge,
+        mesh = meniscus_wedge.plane(fitted, args.inner_edge, face,
                                     MENISCAL_SIZE * size, order)
         columns = meniscus_wedge.columns(
-            fitted, mesh, order * max(3, round(MENISCAL_LAYERS / size)))
+            fitted, mesh, face,
+            order * max(3, round(MENISCAL_LAYERS / size)))
         bodies[name] = settle(columns, mesh, name,
                               quads_of(bodies[TIBIA[side]],
                                        f"{TIBIA[side]}_contact"),

@@ -58,6 +58,28 @@ def generate(main, name: str, *options: str) -> tuple[HexMesh, str]:
     return HexMesh(pathlib.Path(path(name))), out
 
 
+def angles_between(x: np.ndarray, one: np.ndarray, other: np.ndarray
+                   ) -> np.ndarray:
+    """Of a body, in degrees, where quadrangles of two surfaces share an edge.
+    """
+    def normals(quads: np.ndarray) -> np.ndarray:
+        found = np.cross(x[quads[:, 2]] - x[quads[:, 0]],
+                         x[quads[:, 3]] - x[quads[:, 1]])
+        return found / np.linalg.norm(found, axis=1)[:, None]
+
+    def edges(quads: np.ndarray) -> dict[tuple[int, int], int]:
+        return {tuple(sorted((quad[k], quad[k - 1]))): number
+                for number, quad in enumerate(quads.tolist())
+                for k in range(4)}
+
+    found, neighbors = edges(one), edges(other)
+    pairs = [(found[edge], neighbors[edge])
+             for edge in found.keys() & neighbors.keys()]
+    mine, theirs = np.array(pairs).T
+    cosine = np.einsum("ij,ij->i", normals(one)[mine], normals(other)[theirs])
+    return 180.0 - np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+
+
 class Knees(unittest.TestCase):
     """What holds whatever the knee is made from."""
 
@@ -69,7 +91,7 @@ class Knees(unittest.TestCase):
             "parametric": generate(knee_parametric.main, "parametric.msh",
                                    "--size", "2.2", "--geometry-order", "2"),
             "image": generate(knee_from_segmentation.main, "image.msh", image,
-                              "--size", "2")}
+                              "--size", "2", "--inner-face", "normal")}
 
     def test_hexahedra_are_good_and_outer_faces_have_one_name(self):
         for name, (mesh, _) in self.knees.items():
@@ -103,6 +125,18 @@ class Knees(unittest.TestCase):
                         self.assertGreater(gaps.min(), closest[0])
                         self.assertLess(gaps.min(), closest[1])
                         self.assertLess(np.median(gaps), near)
+
+    def test_inner_faces_meet_both_surfaces_at_right_angles(self):
+        mesh, _ = self.knees["image"]
+        for meniscus in NAMES[1]:
+            inner = mesh.surfaces[f"{meniscus}_inner"]
+            for side in ("inferior", "superior"):
+                with self.subTest(f"{meniscus}, {side}"):
+                    angles = angles_between(
+                        mesh.x, inner, mesh.surfaces[f"{meniscus}_{side}"])
+                    self.assertGreater(len(angles), 20)
+                    self.assertGreater(angles.min(), 80.0)
+                    self.assertLess(angles.max(), 102.0)
 
     def test_no_body_is_inside_another(self):
         for name, (mesh, _) in self.knees.items():
@@ -178,7 +212,8 @@ class Knees(unittest.TestCase):
         nibabel.save(nibabel.Nifti1Image(self.labels, self.affine),
                      path("knee.nii.gz"))
         other, _ = generate(knee_from_segmentation.main, "nifti.msh",
-                            path("knee.nii.gz"), "--size", "2")
+                            path("knee.nii.gz"), "--size", "2",
+                            "--inner-face", "normal")
         mesh, _ = self.knees["image"]
         np.testing.assert_allclose(other.x[1:], mesh.x[1:], atol=1e-3)
 
