@@ -22,6 +22,7 @@
 #include "synovia/materials/permeabilities/exponential_permeability.hpp"
 #include "synovia/materials/permeabilities/holmes_mow_permeability.hpp"
 #include "synovia/materials/permeabilities/referential_isotropic_permeability.hpp"
+#include "synovia/materials/permeabilities/referential_orthotropic_permeability.hpp"
 #include "synovia/materials/permeabilities/referential_transversely_isotropic_permeability.hpp"
 #include "synovia/materials/permeability_law.hpp"
 #include "synovia/materials/projected_frame.hpp"

@@ -46,6 +46,12 @@ KeyTable SpaceKeys(SpaceOptions &space)
              "stabilized equal order")
       .From(1, highest_order)
       .Named("the order of the displacement");
+   keys
+      .Value("stabilization", space.stabilization, "",
+             "factor on the stabilization of order 1; 0: none, then pressures "
+             "oscillate in steps in which hardly any fluid moves")
+      .From(0.0, 1.0)
+      .Named("the stabilization");
    return keys;
 }
 

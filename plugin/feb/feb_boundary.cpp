@@ -108,8 +108,8 @@ void ReadCondition(const FebInput &condition, FebModel &model)
    }
    condition.Expect("relative", false,
                     "values relative to those at the start are not known");
-   const std::string surface =
-      model.surfaces->OfNodes(condition.NeededAttribute("node_set"), condition);
+   const std::string set = condition.NeededAttribute("node_set");
+   const std::string surface = model.surfaces->OfNodes(set, condition);
    const std::string dofs =
       has({"fix"}) ? condition.Word("dofs", "") : condition.Word("dof", "");
    std::optional<LoadCurve> value;
@@ -135,6 +135,9 @@ void ReadCondition(const FebInput &condition, FebModel &model)
    }
    else if (has({"zero fluid pressure", "prescribed fluid pressure"}))
    {
+      const std::vector<int> &nodes = *model.surfaces->FindNodes(set);
+      model.pressures.emplace_back(std::set<int>(nodes.begin(), nodes.end()),
+                                   value.value_or(LoadCurve(0.0)));
       Press(surface, value.value_or(LoadCurve(0.0)), model);
    }
    else
@@ -176,6 +179,7 @@ void ReadBoundary(const FebInput &section, FebModel &model)
    {
       ReadCondition(condition, model);
    }
+   ReadRigid(section, model);
    for (const char *name : {"fix", "prescribe", "rigid"})
    {
       for (const FebInput &condition : section.All(name))

@@ -31,7 +31,7 @@ void ReadPair(const FebInput &contact, FebModel &model)
       return;
    }
    ContactCase pair;
-   pair.name = contact.Attribute("name");
+   pair.name = PlainName(contact.Attribute("name"));
    pair.options.configuration = SearchConfiguration::current;
    IgnorePenalties(contact);
    contact.Expect("fric_coeff", false, "friction is not known");

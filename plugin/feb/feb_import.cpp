@@ -1,5 +1,6 @@
 #include "synovia/feb/feb_import.hpp"
 #include "synovia/cases/case_keys.hpp"
+#include "synovia/feb/feb_laws.hpp"
 #include "synovia/feb/feb_model.hpp"
 #include "synovia/feb/msh_writer.hpp"
 #include "synovia/general/error.hpp"
@@ -19,6 +20,8 @@ using namespace mfem;
 namespace
 {
 namespace fs = std::filesystem;
+// Steps take much longer than fluid with permeabilities times this.
+constexpr real_t steady_factor = 1e8;
 using Fate = FebReport::Fate;
 
 void ReadModule(const FebInput &root)
@@ -113,8 +116,8 @@ void AddRigidBodies(const FebInput &root, FebModel &model)
    for (const FebRigidMaterial &material : model.materials.rigid)
    {
       RigidBodyCase body;
-      body.name =
-         material.name.empty() ? "rigid_" + material.number : material.name;
+      body.name = PlainName(material.name.empty() ? "rigid_" + material.number
+                                                  : material.name);
       body.reference = material.center;
       TieSharedNodes(root, material, model, body);
       model.setup.rigid_bodies.push_back(body);
@@ -130,6 +133,24 @@ int Order(const FebMesh &mesh, const std::set<int> &parts)
       order = std::max(order, mesh.parts[part].shape->order);
    }
    return order;
+}
+
+// Pressures of a steady state depend on ratios of permeabilities only, unless a
+// flux is prescribed: with large ones fluid takes no time.
+void MakeSteady(const FebInput &root, FebModel &model)
+{
+   for (MaterialCase &material : model.setup.materials)
+   {
+      Scale(steady_factor, material.permeability);
+   }
+   const std::optional<FebInput> control = root.Find("Control");
+   const std::optional<FebInput> analysis =
+      control ? control->Find("analysis") : std::nullopt;
+   if (analysis)
+   {
+      analysis->Approximate("each step is in a steady state, as permeabilities "
+                            "are taken times 1e8; fluxes are too");
+   }
 }
 
 void ReadModel(const FebInput &root, FebModel &model)
@@ -158,6 +179,10 @@ void ReadModel(const FebInput &root, FebModel &model)
    model.surfaces =
       std::make_unique<FebSurfaces>(model.mesh, model.materials.deformable);
    model.setup.materials = model.materials.materials;
+   if (model.steps.steady)
+   {
+      MakeSteady(root, model);
+   }
    AddRigidBodies(root, model);
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
@@ -247,6 +272,8 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    import.setup.title = name;
    import.setup.mesh.file = name + ".msh";
    import.setup.space.deformation = Deformation::finite;
+   // FEBio has none.
+   import.setup.space.stabilization = 0.0;
    import.setup.space.order = Order(model.mesh, model.materials.deformable);
    import.setup.time = model.steps.Options();
    import.setup.output.directory = "out/" + name;

@@ -83,6 +83,17 @@ std::string FebInput::NeededAttribute(const std::string &name) const
    return value;
 }
 
+long long FebInput::NeededNumber(const std::string &name) const
+{
+   const std::string text = NeededAttribute(name);
+   long long number = 0;
+   if (!text.empty() && !ToInteger(text, number))
+   {
+      Stop("found " + name + "=\"" + text + "\"; it must be an integer");
+   }
+   return number;
+}
+
 FebInput FebInput::Child(const FebElement &child) const
 {
    return {child, path.empty() ? child.name : path + "/" + child.name, report};

@@ -29,6 +29,9 @@ public:
    /// Stops the import if it is not there.
    std::string NeededAttribute(const std::string &name) const;
 
+   /// Likewise, and it must be an integer; 0 if it isn't.
+   long long NeededNumber(const std::string &name) const;
+
    /// The first child of the name.
    std::optional<FebInput> Find(const std::string &name) const;
    /// The children of the name, or all.

@@ -2,6 +2,8 @@
 #include "synovia/materials/law_registry.hpp"
 #include "synovia/materials/material_frame.hpp"
 
+#include <cmath>
+
 namespace synovia
 {
 
@@ -9,6 +11,8 @@ using namespace mfem;
 
 namespace
 {
+constexpr real_t same_direction = 1e-12;
+
 /// A law by its names, and its parameters by theirs: FEBio's first.
 struct LawWords
 {
@@ -194,10 +198,89 @@ SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
    return result;
 }
 
-PermeabilityCase ReadPermeability(const FebInput &permeability)
+namespace
+{
+const std::string orthotropic = "perm-ref-ortho";
+
+// A child with a number for each of the material's axes, as parameters of a law
+// with one for each axis of the frame.
+void ReadAlongAxes(const FebInput &from, const std::string &child,
+                   const std::string &parameter,
+                   const std::array<std::string, 3> &frame_axes,
+                   std::map<std::string, real_t> &values)
+{
+   const std::optional<FebInput> found = from.Find(child);
+   const std::vector<real_t> numbers =
+      found ? found->Numbers() : std::vector<real_t>{0.0, 0.0, 0.0};
+   if (numbers.size() != 3)
+   {
+      found->Stop("there is one number for each of three axes");
+      return;
+   }
+   for (int a = 0; a < 3; a++)
+   {
+      values[parameter + "_" + frame_axes[a]] = numbers[a];
+   }
+}
+
+PermeabilityCase ReadOrthotropic(const FebInput &from, const Tensor3<> &axes,
+                                 const FrameCase &frame)
 {
    PermeabilityCase result;
-   if (const LawWords *words = FindLaw(permeability, PermeabilityWords()))
+   result.model = "referential_orthotropic";
+   const char *const names[3] = {"r", "theta", "z"};
+   std::array<std::string, 3> frame_axes;
+   for (int a = 0; a < 3; a++)
+   {
+      const Point3 parts = InFrame({axes[0][a], axes[1][a], axes[2][a]}, frame);
+      for (int b = 0; b < 3; b++)
+      {
+         if (std::abs(std::abs(parts[b]) - 1.0) < same_direction)
+         {
+            frame_axes[a] = names[b];
+         }
+      }
+      if (frame_axes[a].empty())
+      {
+         from.Stop("the material axes must be along those of space");
+         return result;
+      }
+   }
+   std::map<std::string, real_t> &values = result.parameters;
+   values["k0"] = from.Number("perm0", 1.0);
+   values["M0"] = from.Number("M0", 0.0);
+   values["alpha0"] = from.Number("alpha0", 0.0);
+   ReadAlongAxes(from, "perm1", "k1", frame_axes, values);
+   ReadAlongAxes(from, "perm2", "k2", frame_axes, values);
+   ReadAlongAxes(from, "M", "M", frame_axes, values);
+   ReadAlongAxes(from, "alpha", "alpha", frame_axes, values);
+   return result;
+}
+} // namespace
+
+void Scale(real_t factor, PermeabilityCase &permeability)
+{
+   const LawDescription &law = *PermeabilityLaws().Find(permeability.model);
+   const std::string unit = ReferencePermeability().unit;
+   for (auto &[name, value] : permeability.parameters)
+   {
+      if (law.Find(name)->unit == unit)
+      {
+         value *= factor;
+      }
+   }
+}
+
+PermeabilityCase ReadPermeability(const FebInput &permeability,
+                                  const Tensor3<> &axes, const FrameCase &frame)
+{
+   PermeabilityCase result;
+   if (permeability.Attribute("type") == orthotropic)
+   {
+      return ReadOrthotropic(permeability, axes, frame);
+   }
+   if (const LawWords *words =
+          FindLaw(permeability, PermeabilityWords(), "perm-ref-ortho"))
    {
       result.model = words->law;
       result.parameters = ReadParameters(permeability, *words,

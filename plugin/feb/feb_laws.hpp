@@ -11,7 +11,13 @@ namespace synovia
 SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
                     const FrameCase &frame);
 
-/// Reads a permeability likewise; directions are those of the frame.
-PermeabilityCase ReadPermeability(const FebInput &permeability);
+/// Reads a permeability likewise; it is along the axes of @a frame. One that
+/// can't be stops the import.
+PermeabilityCase ReadPermeability(const FebInput &permeability,
+                                  const Tensor3<> &axes,
+                                  const FrameCase &frame);
+
+/// Multiplies the permeability by a factor.
+void Scale(mfem::real_t factor, PermeabilityCase &permeability);
 
 } // namespace synovia

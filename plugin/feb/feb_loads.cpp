@@ -7,14 +7,47 @@ using namespace mfem;
 
 namespace
 {
-LoadCurve Negative(const LoadCurve &curve)
+// Relative to the largest.
+constexpr real_t same_area = 1e-6;
+
+LoadCurve Scaled(real_t factor, const LoadCurve &curve)
 {
    std::vector<real_t> values;
    for (const real_t t : curve.Corners())
    {
-      values.push_back(-curve(t));
+      values.push_back(factor * curve(t));
    }
    return LoadCurve(curve.Corners(), values);
+}
+
+// The prescribed fluid pressure of all nodes of a surface; null if there is
+// none.
+const LoadCurve *FindPressure(const std::string &surface, const FebModel &model)
+{
+   const std::vector<int> *nodes =
+      model.surfaces->FindNodes("@surface:" + surface);
+   for (const auto &[with, pressure] : model.pressures)
+   {
+      const std::set<int> &have = with;
+      if (nodes && std::all_of(nodes->begin(), nodes->end(),
+                               [&](int node) { return have.count(node) > 0; }))
+      {
+         return &pressure;
+      }
+   }
+   return nullptr;
+}
+
+LoadCurve Difference(const LoadCurve &a, const LoadCurve &b)
+{
+   std::set<real_t> times(a.Corners().begin(), a.Corners().end());
+   times.insert(b.Corners().begin(), b.Corners().end());
+   std::vector<real_t> values;
+   for (const real_t t : times)
+   {
+      values.push_back(a(t) - b(t));
+   }
+   return LoadCurve({times.begin(), times.end()}, values);
 }
 
 // A tension along the normal, which follows it.
@@ -25,9 +58,20 @@ void ReadNormalTraction(const FebInput &load, BoundaryCase &boundary,
                "loads on the undeformed surface that keep their direction are "
                "not known for normal tractions");
    boundary.normal_traction = model.Value(load, "traction");
-   load.Expect("effective", false,
-               "effective tractions, to which the fluid's pressure adds, are "
-               "not known");
+   if (load.Flag("effective", false))
+   {
+      // The fluid's pressure adds.
+      const LoadCurve *pressure =
+         FindPressure(load.Attribute("surface"), model);
+      if (!pressure)
+      {
+         load.Stop("effective tractions are only known where the fluid's "
+                   "pressure is prescribed at all nodes of the surface");
+         return;
+      }
+      boundary.normal_traction =
+         Difference(*boundary.normal_traction, *pressure);
+   }
 }
 
 void ReadPressure(const FebInput &load, BoundaryCase &boundary,
@@ -36,7 +80,7 @@ void ReadPressure(const FebInput &load, BoundaryCase &boundary,
    load.Expect("linear", false,
                "pressures on the undeformed surface are not known");
    load.Ignore("symmetric_stiffness", "the tangent is complete");
-   boundary.normal_traction = Negative(model.Value(load, "pressure"));
+   boundary.normal_traction = Scaled(-1.0, model.Value(load, "pressure"));
 }
 
 void ReadFluidFlux(const FebInput &load, BoundaryCase &boundary,
@@ -64,12 +108,7 @@ void ReadTraction(const FebInput &load, BoundaryCase &boundary,
    boundary.traction = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
    for (int d = 0; d < 3; d++)
    {
-      std::vector<real_t> values;
-      for (const real_t t : curve.Corners())
-      {
-         values.push_back(components[d] * curve(t));
-      }
-      (*boundary.traction)[d] = LoadCurve(curve.Corners(), values);
+      (*boundary.traction)[d] = Scaled(components[d], curve);
    }
    if (!load.Flag("linear", false))
    {
@@ -108,8 +147,59 @@ void ReadSurfaceLoad(const FebInput &load, FebModel &model)
 }
 } // namespace
 
+namespace
+{
+// Flows of fluid at nodes, as a flux where all have the same share of the
+// surface.
+void ReadNodalFlux(const FebInput &load, FebModel &model)
+{
+   const LoadCurve value = model.Value(load, "value");
+   const std::string set = load.NeededAttribute("node_set");
+   const std::string surface = model.surfaces->OfNodes(set, load);
+   if (surface.empty())
+   {
+      return;
+   }
+   const std::map<int, real_t> areas = model.surfaces->NodalAreas(surface);
+   const auto [least, most] = std::minmax_element(
+      areas.begin(), areas.end(),
+      [](const auto &a, const auto &b) { return a.second < b.second; });
+   if (!(most->second - least->second <= same_area * most->second))
+   {
+      load.Stop("flows at nodes are only known where all have the same share "
+                "of the surface");
+      return;
+   }
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   boundary.normal_flux = Scaled(1.0 / most->second, value);
+   model.setup.boundaries.push_back(boundary);
+   load.Approximate("the flow is a flux through the surface, which grows with "
+                    "its area");
+}
+
+void ReadNodalLoad(const FebInput &load, FebModel &model)
+{
+   load.Attribute("name");
+   const std::string type = load.NeededAttribute("type");
+   if (type != "nodal fluidflux")
+   {
+      load.StopAll("loads of nodes of the type \"" + type +
+                   "\" are not known; there is nodal fluidflux");
+      return;
+   }
+   load.Expect("relative", false,
+               "values relative to those at the start are not known");
+   ReadNodalFlux(load, model);
+}
+} // namespace
+
 void ReadLoads(const FebInput &section, FebModel &model)
 {
+   for (const FebInput &load : section.All("nodal_load"))
+   {
+      ReadNodalLoad(load, model);
+   }
    for (const FebInput &load : section.All("surface_load"))
    {
       ReadSurfaceLoad(load, model);

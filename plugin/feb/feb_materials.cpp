@@ -11,11 +11,6 @@ namespace
 // Cases have none without a solid.
 constexpr real_t least_solid_fraction = 1e-9;
 
-bool IsIdentity(const Tensor3<> &axes)
-{
-   return axes[0][0] == 1.0 && axes[1][1] == 1.0 && axes[2][2] == 1.0;
-}
-
 MaterialCase ReadBiphasic(const FebInput &material)
 {
    MaterialCase result;
@@ -40,12 +35,8 @@ MaterialCase ReadBiphasic(const FebInput &material)
       material.Stop("a biphasic material has a solid and a permeability");
       return result;
    }
-   result.permeability = ReadPermeability(*permeability);
-   if (!IsIdentity(axes) ||
-       result.permeability.model == "referential_transversely_isotropic")
-   {
-      result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
-   }
+   result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
+   result.permeability = ReadPermeability(*permeability, axes, result.frame);
    result.solid = ReadSolid(*solid, axes, result.frame);
    return result;
 }

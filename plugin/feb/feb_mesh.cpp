@@ -14,8 +14,7 @@ void ReadNodes(const FebInput &nodes, FebMesh &mesh)
    nodes.Attribute("name");
    for (const FebInput &node : nodes.All("node"))
    {
-      const std::string text = node.NeededAttribute("id");
-      const long long number = std::strtoll(text.c_str(), nullptr, 10);
+      const long long number = node.NeededNumber("id");
       const std::vector<real_t> x = node.Numbers();
       if (x.size() != 3)
       {
@@ -26,7 +25,8 @@ void ReadNodes(const FebInput &nodes, FebMesh &mesh)
       const int place = static_cast<int>(mesh.nodes.size());
       if (!mesh.places.emplace(number, place).second)
       {
-         node.Stop("there are two nodes with the number " + text);
+         node.Stop("there are two nodes with the number " +
+                   std::to_string(number));
          continue;
       }
       mesh.nodes.push_back({x[0], x[1], x[2]});
@@ -72,9 +72,21 @@ void ReadElements(const FebInput &elements, FebMesh &mesh)
    {
       part.name = "part" + std::to_string(mesh.parts.size() + 1);
    }
+   for (const FebPart &other : mesh.parts)
+   {
+      if (other.name == part.name)
+      {
+         elements.Stop("there are elements called \"" + part.name +
+                       "\" already");
+      }
+   }
+   if (part.name.find_first_of("\"\\") != std::string::npos)
+   {
+      elements.Stop("the name has a quote or a backslash");
+   }
    for (const FebInput &cell : elements.All("elem"))
    {
-      const std::string text = cell.NeededAttribute("id");
+      const long long number = cell.NeededNumber("id");
       const std::vector<long long> numbers = cell.Integers();
       if (static_cast<int>(numbers.size()) != part.shape->nodes)
       {
@@ -91,7 +103,7 @@ void ReadElements(const FebInput &elements, FebMesh &mesh)
       }
       if (!nodes.empty())
       {
-         part.cells.push_back({std::strtoll(text.c_str(), nullptr, 10), nodes});
+         part.cells.push_back({number, nodes});
       }
    }
    mesh.parts.push_back(part);
@@ -103,8 +115,7 @@ std::vector<int> NodesOf(const FebInput &set, const FebMesh &mesh)
    std::vector<long long> numbers = set.Integers();
    for (const FebInput &node : set.All())
    {
-      const std::string number = node.NeededAttribute("id");
-      numbers.push_back(std::strtoll(number.c_str(), nullptr, 10));
+      numbers.push_back(node.NeededNumber("id"));
    }
    return Places(set, numbers, mesh);
 }

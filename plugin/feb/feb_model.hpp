@@ -20,6 +20,8 @@ struct FebModel
    /// Borrows the mesh.
    std::unique_ptr<FebSurfaces> surfaces;
    CaseFile setup;
+   /// Prescribed fluid pressures, with the nodes that have them.
+   std::vector<std::pair<std::set<int>, LoadCurve>> pressures;
 
    /// The number in @a value, as a curve if it names a load controller.
    LoadCurve Value(const FebInput &value) const;

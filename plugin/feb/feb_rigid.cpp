@@ -35,8 +35,38 @@ void Prescribe(int freedom, const LoadCurve &value, RigidBodyCase &body)
    (freedom < 3 ? body.translation : body.rotation)[freedom % 3] = value;
 }
 
+void AddLoad(int freedom, const LoadCurve &value, RigidBodyCase &body)
+{
+   std::optional<std::array<LoadCurve, 3>> &loads =
+      freedom < 3 ? body.force : body.moment;
+   if (!loads)
+   {
+      loads = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
+   }
+   (*loads)[freedom % 3] = value;
+}
+
 void ReadFixed(const FebInput &condition, RigidBodyCase &body)
 {
+   std::string word;
+   for (const char c : condition.Word("dofs", "") + ",")
+   {
+      if (c != ',' && c != ' ')
+      {
+         word += c;
+         continue;
+      }
+      const int freedom = Freedom(word);
+      if (freedom >= 0)
+      {
+         Prescribe(freedom, LoadCurve(0.0), body);
+      }
+      else if (!word.empty())
+      {
+         condition.Stop("the freedom \"" + word + "\" is not known");
+      }
+      word.clear();
+   }
    const char *const names[6] = {"Rx_dof", "Ry_dof", "Rz_dof",
                                  "Ru_dof", "Rv_dof", "Rw_dof"};
    for (int i = 0; i < 6; i++)
@@ -44,6 +74,46 @@ void ReadFixed(const FebInput &condition, RigidBodyCase &body)
       if (condition.Flag(names[i], false))
       {
          Prescribe(i, LoadCurve(0.0), body);
+      }
+   }
+}
+
+// <rigid_body mat="3"> in the section Boundary of version 2.5.
+void ReadFormerBody(const FebInput &conditions, FebModel &model)
+{
+   RigidBodyCase *body =
+      model.FindRigid(conditions.NeededAttribute("mat"), conditions);
+   if (!body)
+   {
+      conditions.StopAll("its conditions go unread");
+      return;
+   }
+   for (const FebInput &condition : conditions.All())
+   {
+      // R stands for rotations here.
+      const std::string word = condition.NeededAttribute("bc");
+      const bool turns = word.size() == 2 && word[0] == 'R';
+      const int along = Freedom(turns ? word.substr(1) : word);
+      const int freedom = turns && along >= 0 ? along + 3 : along;
+      if (freedom < 0)
+      {
+         condition.Stop("the freedom \"" + word + "\" is not known");
+      }
+      else if (condition.Name() == "fixed")
+      {
+         Prescribe(freedom, LoadCurve(0.0), *body);
+      }
+      else if (condition.Name() == "prescribed")
+      {
+         Prescribe(freedom, model.Value(condition), *body);
+      }
+      else if (condition.Name() == "force")
+      {
+         AddLoad(freedom, model.Value(condition), *body);
+      }
+      else
+      {
+         condition.StopAll("there are fixed, prescribed and force");
       }
    }
 }
@@ -69,22 +139,19 @@ void ReadLoad(const FebInput &load, int freedom, const LoadCurve &value,
       load.Stop("loads of the type \"" + type +
                 "\" are not known; there is LOAD");
    }
-   std::optional<std::array<LoadCurve, 3>> &loads =
-      freedom < 3 ? body.force : body.moment;
-   if (!loads)
-   {
-      loads = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
-   }
-   (*loads)[freedom % 3] = value;
+   AddLoad(freedom, value, body);
 }
 
 void ReadEntry(const FebInput &entry, FebModel &model)
 {
    const std::string type = entry.NeededAttribute("type");
    entry.Attribute("name");
-   const bool fixed = type == "rigid_fixed";
-   const bool moved = type == "rigid_displacement" || type == "rigid_rotation";
-   const bool loaded = type == "rigid_force" || type == "rigid_moment";
+   // Version 3.0 has other words.
+   const bool fixed = type == "rigid_fixed" || type == "fix";
+   const bool moved = type == "rigid_displacement" ||
+                      type == "rigid_rotation" || type == "prescribe";
+   const bool loaded =
+      type == "rigid_force" || type == "rigid_moment" || type == "force";
    if (!fixed && !moved && !loaded)
    {
       entry.StopAll("\"" + type +
@@ -131,6 +198,10 @@ void ReadRigid(const FebInput &section, FebModel &model)
       {
          ReadEntry(entry, model);
       }
+   }
+   for (const FebInput &conditions : section.All("rigid_body"))
+   {
+      ReadFormerBody(conditions, model);
    }
 }
 

@@ -1,6 +1,7 @@
 #include "synovia/feb/feb_steps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
@@ -11,6 +12,7 @@ namespace
 {
 // More than anybody waits for.
 constexpr size_t most_steps = 1000000;
+constexpr real_t longest_stride = 1e6;
 constexpr real_t round_off = 1e-12;
 // How FEBio lets its steps grow.
 constexpr real_t largest_growth = 5.0;
@@ -32,12 +34,10 @@ public:
       }
       const std::vector<real_t> &times = curve->Times();
       const real_t beyond = t + round_off * end;
-      real_t offset = 0.0;
-      while (curve->Repeats() && times.back() > 0.0 &&
-             offset + times.back() <= beyond)
-      {
-         offset += times.back();
-      }
+      const real_t period = times.back();
+      const real_t offset = curve->Repeats() && period > 0.0
+                               ? period * std::floor(beyond / period)
+                               : 0.0;
       for (const real_t time : times)
       {
          if (time + offset > beyond)
@@ -86,13 +86,29 @@ std::vector<real_t> AutomaticSteps(const FebInput &stepper, real_t first,
       t = stop < t + length + round_off * end ? stop : t + length;
       ends.push_back(t);
    }
+   if (ends.size() == most_steps)
+   {
+      stepper.Stop("there are too many steps");
+   }
    return ends;
+}
+
+// A word, or before version 3.0 the attribute of an element.
+std::string ReadAnalysis(const FebInput &section)
+{
+   const std::optional<FebInput> analysis = section.Find("analysis");
+   if (!analysis)
+   {
+      return "TRANSIENT";
+   }
+   const std::string type = analysis->Attribute("type");
+   return type.empty() ? analysis->Text() : type;
 }
 
 void ReadOutputLevel(const FebInput &section, FebSteps &steps)
 {
-   steps.fields_every =
-      std::max(1, static_cast<int>(section.Number("plot_stride", 1.0)));
+   steps.fields_every = static_cast<int>(std::min(
+      std::max(section.Number("plot_stride", 1.0), 1.0), longest_stride));
    if (section.Word("plot_level", "") == "PLOT_NEVER")
    {
       steps.fields_every = 0;
@@ -126,16 +142,26 @@ TimeOptions FebSteps::Options() const
 FebSteps ReadControl(const FebInput &section, const FebCurves &curves)
 {
    FebSteps steps;
-   const std::string analysis = section.Word("analysis", "TRANSIENT");
-   if (analysis != "TRANSIENT" && analysis != "transient")
+   const std::string analysis = ReadAnalysis(section);
+   steps.steady = analysis == "STEADY-STATE" || analysis == "steady-state";
+   if (!steps.steady && analysis != "TRANSIENT" && analysis != "transient")
    {
       section.Find("analysis")
-         ->Stop("found \"" + analysis + "\"; there is TRANSIENT");
+         ->Stop("found \"" + analysis +
+                "\"; there are TRANSIENT, STEADY-STATE");
    }
    const real_t count = section.Number("time_steps", 10.0);
    const real_t first = section.Number("step_size", 0.1);
    ReadOutputLevel(section, steps);
-   section.Ignore("solver", "Newton's method has its own settings here");
+   // Settings of the solver were here before version 3.0.
+   for (const char *name :
+        {"solver", "dtol", "etol", "rtol", "ptol", "lstol", "lsmin", "lsiter",
+         "max_refs", "max_ups", "diverge_reform", "reform_each_time_step",
+         "reform_augment", "min_residual", "max_residual", "qnmethod", "cmax",
+         "optimize_bw", "symmetric_stiffness"})
+   {
+      section.Ignore(name, "Newton's method has its own settings here");
+   }
    section.Ignore("adaptor_re_solve", "there is no mesh adaptor");
    steps.ends = {1.0};
    steps.length = 1.0;

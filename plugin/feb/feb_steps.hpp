@@ -13,6 +13,8 @@ struct FebSteps
    std::vector<mfem::real_t> ends;
    /// Of the steps, where all have the same.
    mfem::real_t length = 0.0;
+   /// Whether nothing depends on what was before, such as stored fluid.
+   bool steady = false;
    /// Steps from one output of fields to the next; 0: none.
    int fields_every = 1;
 

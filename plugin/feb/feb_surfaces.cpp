@@ -5,6 +5,8 @@
 namespace synovia
 {
 
+using namespace mfem;
+
 namespace
 {
 constexpr const char *surface_prefix = "@surface:";
@@ -14,9 +16,9 @@ std::vector<int> Sorted(std::vector<int> list)
    std::sort(list.begin(), list.end());
    return list;
 }
+} // namespace
 
-// A name that can be a column of the history and a part of a file's name.
-std::string Plain(std::string name)
+std::string PlainName(std::string name)
 {
    for (char &c : name)
    {
@@ -27,7 +29,6 @@ std::string Plain(std::string name)
    }
    return name.empty() || name[0] == '.' ? "_" + name : name;
 }
-} // namespace
 
 FebSurfaces::FebSurfaces(const FebMesh &mesh_, const std::set<int> &parts)
    : mesh(mesh_), used(mesh_.nodes.size(), false)
@@ -198,6 +199,44 @@ std::string FebSurfaces::OfFacets(const std::string &surface,
    return Add(key, surface, members);
 }
 
+std::map<int, real_t> FebSurfaces::NodalAreas(const std::string &name) const
+{
+   std::map<int, real_t> areas;
+   for (const Group &group : groups)
+   {
+      if (group.name != name)
+      {
+         continue;
+      }
+      for (const int face : group.faces)
+      {
+         const std::vector<int> &corners = faces[face];
+         const Geometry::Type geometry =
+            corners.size() == 3 ? Geometry::TRIANGLE : Geometry::SQUARE;
+         DenseMatrix points(3, static_cast<int>(corners.size()));
+         for (int i = 0; i < points.Width(); i++)
+         {
+            points.SetCol(i, mesh.nodes[corners[i]].data());
+         }
+         IsoparametricTransformation map;
+         map.SetIdentityTransformation(geometry);
+         map.SetPointMat(points);
+         Vector shape(points.Width());
+         const IntegrationRule &rule = IntRules.Get(geometry, 4);
+         for (const IntegrationPoint &point : rule)
+         {
+            map.SetIntPoint(&point);
+            map.GetFE()->CalcShape(point, shape);
+            for (int i = 0; i < shape.Size(); i++)
+            {
+               areas[corners[i]] += point.weight * map.Weight() * shape[i];
+            }
+         }
+      }
+   }
+   return areas;
+}
+
 std::string FebSurfaces::Unused(const std::string &name) const
 {
    const auto is_there = [&](const std::string &candidate)
@@ -220,7 +259,7 @@ std::string FebSurfaces::Unused(const std::string &name) const
 std::string FebSurfaces::Add(const std::string &key, const std::string &name,
                              const std::vector<int> &members)
 {
-   const std::string unused = Unused(Plain(name));
+   const std::string unused = Unused(PlainName(name));
    groups.push_back({unused, members});
    made[key] = unused;
    return unused;

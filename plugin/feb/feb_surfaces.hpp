@@ -10,6 +10,10 @@
 namespace synovia
 {
 
+/// The name without what can't be in columns of the history and in names of
+/// files.
+std::string PlainName(std::string name);
+
 /// Surfaces of a case, made from sets of nodes and of facets of a model.
 class FebSurfaces
 {
@@ -37,6 +41,9 @@ public:
    const std::vector<int> &Corners(int face) const { return faces[face]; }
    /// Whether a node belongs to an element that is taken into account.
    bool IsUsed(int node) const { return used[node]; }
+   /// For each corner of the faces of a surface of that name in the case the
+   /// integral of its linear shape function (area).
+   std::map<int, mfem::real_t> NodalAreas(const std::string &name) const;
    /// Nodes of a set as OfNodes() understands it; null if there is none.
    const std::vector<int> *FindNodes(const std::string &set);
 

@@ -46,6 +46,55 @@ std::string Trimmed(const std::string &text)
              : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
+bool IsUtf8(const std::string &text)
+{
+   size_t following = 0;
+   for (const char c : text)
+   {
+      const auto byte = static_cast<unsigned char>(c);
+      if (following > 0)
+      {
+         if ((byte & 0xC0) != 0x80)
+         {
+            return false;
+         }
+         following--;
+      }
+      else if (byte >= 0x80)
+      {
+         following = (byte & 0xE0) == 0xC0   ? 1
+                     : (byte & 0xF0) == 0xE0 ? 2
+                     : (byte & 0xF8) == 0xF0 ? 3
+                                             : 0;
+         if (following == 0)
+         {
+            return false;
+         }
+      }
+   }
+   return following == 0;
+}
+
+// ISO-8859-1, which models name as their encoding.
+std::string FromLatin1(const std::string &text)
+{
+   std::string utf8;
+   for (const char c : text)
+   {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x80)
+      {
+         utf8 += c;
+      }
+      else
+      {
+         utf8 += static_cast<char>(0xC0 | (byte >> 6));
+         utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+      }
+   }
+   return utf8;
+}
+
 [[noreturn]] void Fail(const std::string &source, int line,
                        const std::string &problem)
 {
@@ -83,8 +132,9 @@ FebElement Copy(const pugi::xml_node &node, const LineTable &lines,
 }
 } // namespace
 
-FebElement ParseXml(const std::string &text, const std::string &source)
+FebElement ParseXml(const std::string &given, const std::string &source)
 {
+   const std::string text = IsUtf8(given) ? given : FromLatin1(given);
    const LineTable lines(text);
    pugi::xml_document document;
    // Taken as it is, whatever encoding it names, so that places are those in

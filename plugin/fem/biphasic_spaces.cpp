@@ -1,5 +1,6 @@
 #include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
 
 #include <algorithm>
 
@@ -19,10 +20,22 @@ int CheckedOrder(int order)
    }
    return order;
 }
+
+real_t CheckedStabilization(real_t factor)
+{
+   if (!(factor >= 0.0 && factor <= 1.0))
+   {
+      throw Error("the stabilization is " + ToText(factor) +
+                  "; it must be from 0 to 1");
+   }
+   return factor;
+}
 } // namespace
 
-BiphasicSpaces::BiphasicSpaces(ParMesh &mesh, int order_)
-   : order(CheckedOrder(order_)), displacement_elements(order, 3),
+BiphasicSpaces::BiphasicSpaces(ParMesh &mesh, int order_, real_t stabilization_)
+   : order(CheckedOrder(order_)),
+     stabilization(CheckedStabilization(stabilization_)),
+     displacement_elements(order, 3),
      pressure_elements(std::max(1, order - 1), 3), multiplier_elements(1, 3)
 {
    displacement = std::make_unique<ParFiniteElementSpace>(

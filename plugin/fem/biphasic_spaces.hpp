@@ -11,17 +11,20 @@ namespace synovia
 ///
 /// Order k >= 2 is Taylor-Hood: displacement (and velocity) of order k,
 /// pressure of order k - 1, both continuous. Order 1 is equal order and needs
-/// the pressure stabilization. The contact multipliers live on the vertices, so
-/// that a face has only a handful of constraints and quadratic surfaces don't
-/// lock.
+/// the pressure stabilization, which may be weakened. The contact multipliers
+/// live on the vertices, so that a face has only a handful of constraints and
+/// quadratic surfaces don't lock.
 class BiphasicSpaces
 {
 public:
-   /// Borrows @a mesh. @a order must be at least 1.
-   BiphasicSpaces(mfem::ParMesh &mesh, int order);
+   /// Borrows @a mesh. @a order must be at least 1; @a stabilization, from 0 to
+   /// 1, is a factor on that of order 1.
+   BiphasicSpaces(mfem::ParMesh &mesh, int order,
+                  mfem::real_t stabilization = 1.0);
 
    int Order() const { return order; }
-   bool Stabilized() const { return order == 1; }
+   bool Stabilized() const { return order == 1 && stabilization > 0.0; }
+   mfem::real_t Stabilization() const { return stabilization; }
 
    /// Three components, ordered by node as BoomerAMG wants.
    mfem::ParFiniteElementSpace &Displacement() { return *displacement; }
@@ -40,6 +43,7 @@ public:
 
 private:
    int order;
+   mfem::real_t stabilization;
    mfem::H1_FECollection displacement_elements;
    mfem::H1_FECollection pressure_elements;
    mfem::H1_FECollection multiplier_elements;

@@ -45,8 +45,8 @@ void PressureProjectionIntegrator::AssembleElementMatrix(
    elmat = 0.0;
    const SolidLaw &law = *materials.Get(trans.Attribute).solid;
    const real_t scale =
-      std::max(0.5 / law.ShearModulus(),
-               LeastFactor(el.GetGeomType()) / law.AggregateModulus());
+      factor * std::max(0.5 / law.ShearModulus(),
+                        LeastFactor(el.GetGeomType()) / law.AggregateModulus());
    const IntegrationRule &rule =
       IntRule ? *IntRule
               : IntRules.Get(el.GetGeomType(),

@@ -20,9 +20,10 @@ namespace synovia
 class PressureProjectionIntegrator : public mfem::BilinearFormIntegrator
 {
 public:
-   /// Borrows @a materials.
-   explicit PressureProjectionIntegrator(const MaterialTable &materials_)
-      : materials(materials_)
+   /// Borrows @a materials. The matrix is multiplied by @a factor.
+   explicit PressureProjectionIntegrator(const MaterialTable &materials_,
+                                         mfem::real_t factor_ = 1.0)
+      : materials(materials_), factor(factor_)
    {
    }
 
@@ -32,6 +33,7 @@ public:
 
 private:
    const MaterialTable &materials;
+   mfem::real_t factor;
    mfem::Vector shape;
    mfem::Vector integral;
 };

@@ -15,7 +15,7 @@ SmoothStabilization::SmoothStabilization(BiphasicSpaces &spaces,
 {
    MFEM_VERIFY(space.GetMaxElementOrder() == 1,
                "a smooth part is defined for order 1");
-   PressureProjectionIntegrator integrator(materials);
+   PressureProjectionIntegrator integrator(materials, spaces.Stabilization());
    elements.resize(space.GetNE());
    Vector x(3);
    for (int e = 0; e < space.GetNE(); e++)

@@ -45,8 +45,9 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
                new WithFewerPoints<MassIntegrator>(drained_compliance));
    if (spaces.Stabilized())
    {
-      stabilization = Assemble(spaces.Pressure(), sparsity,
-                               new PressureProjectionIntegrator(materials));
+      stabilization = Assemble(
+         spaces.Pressure(), sparsity,
+         new PressureProjectionIntegrator(materials, spaces.Stabilization()));
    }
    ParMixedBilinearForm form(&spaces.Displacement(), &spaces.Pressure());
    form.AddDomainIntegrator(new WithFewerPoints<VectorDivergenceIntegrator>);

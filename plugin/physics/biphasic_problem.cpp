@@ -15,7 +15,7 @@ using namespace mfem;
 
 BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
    : mesh(mesh_), deformation(options.deformation),
-     spaces(mesh.Get(), options.order),
+     spaces(mesh.Get(), options.order, options.stabilization),
      conditions(std::make_unique<BoundaryConditions>(spaces, deformation))
 {
 }

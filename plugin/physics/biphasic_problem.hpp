@@ -18,6 +18,8 @@ struct SpaceOptions
    /// Order of the displacement; 1 is stabilized equal order.
    int order = 2;
    Deformation deformation = Deformation::infinitesimal;
+   /// Factor on the stabilization of order 1, from 0 to 1.
+   mfem::real_t stabilization = 1.0;
 };
 
 /// A biphasic problem by names: bodies, materials, boundary conditions,

@@ -79,6 +79,103 @@ TEST_CASE("A column of FEBio becomes a case")
    CHECK((*boundaries[3].normal_traction)(4.0) == -1.0);
 }
 
+namespace
+{
+// The same column in a former format: each pair is replaced.
+std::string
+Former(const std::vector<std::pair<std::string, std::string>> &changes)
+{
+   std::string text = FebColumn();
+   for (const auto &[old, other] : changes)
+   {
+      text = Replaced(text, old, other);
+   }
+   return text;
+}
+
+const char *const fixed_sides =
+   R"(<bc name="sides" node_set="all" type="zero displacement">
+			<x_dof>1</x_dof>
+			<y_dof>1</y_dof>
+			<z_dof>0</z_dof>
+		</bc>)";
+const char *const fixed_bottom =
+   R"(<bc name="support" node_set="bottom" type="zero displacement">
+			<x_dof>0</x_dof>
+			<y_dof>0</y_dof>
+			<z_dof>1</z_dof>
+		</bc>)";
+const char *const drained =
+   R"(<bc name="drained" node_set="@surface:top" type="zero fluid pressure"/>)";
+const char *const bottom_nodes = R"(<NodeSet name="bottom">1,2,3,4</NodeSet>)";
+const char *const top_nodes =
+   R"(<NodeSet name="lid"><n id="9"/><n id="10"/><n id="11"/><n id="12"/>
+		</NodeSet>)";
+
+void CheckAsColumn(const std::string &text)
+{
+   const FebImport import = ImportFeb(text, "column.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   const FebImport other = ImportFeb(FebColumn(), "column.feb");
+   REQUIRE(import.setup.boundaries.size() >= 4);
+   bool held[3] = {false, false, false};
+   bool pressed = false;
+   bool loaded = false;
+   for (const BoundaryCase &boundary : import.setup.boundaries)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         held[d] = held[d] || boundary.displacement[d].has_value();
+      }
+      pressed = pressed || (boundary.pressure.has_value() &&
+                            boundary.surfaces[0] == "lid");
+      loaded = loaded || (boundary.normal_traction.has_value() &&
+                          (*boundary.normal_traction)(1.0) == -1.0);
+   }
+   CHECK(held[0]);
+   CHECK(held[1]);
+   CHECK(held[2]);
+   CHECK(pressed);
+   CHECK(loaded);
+   CHECK(import.setup.time.end == 5.0);
+   CHECK(import.setup.materials[0].regions == other.setup.materials[0].regions);
+}
+} // namespace
+
+TEST_CASE("Formats 3.0 and 2.5 say the same in other words")
+{
+   CheckAsColumn(
+      Former({{"version=\"4.0\"", "version=\"3.0\""},
+              {fixed_sides, R"(<bc name="sides" node_set="all" type="fix">
+			<dofs>x,y</dofs></bc>)"},
+              {fixed_bottom, R"(<bc name="support" node_set="bottom" type="fix">
+			<dofs>z</dofs></bc>)"},
+              {drained, R"(<bc name="drained" node_set="lid" type="prescribe">
+			<dof>p</dof><scale>0</scale><relative>0</relative></bc>)"},
+              {bottom_nodes, std::string(bottom_nodes) + top_nodes}}));
+   CheckAsColumn(Former(
+      {{"version=\"4.0\"", "version=\"2.5\""},
+       {"<analysis>TRANSIENT</analysis>", "<analysis type=\"transient\"/>"},
+       {"<solver type=\"biphasic\"><dtol>0.001</dtol></solver>",
+        "<dtol>0.001</dtol><max_refs>15</max_refs>"},
+       {"<Mesh>", "<Geometry>"},
+       {"</Mesh>", "</Geometry>"},
+       {"<Elements type=\"hex8\" name=\"body\">",
+        "<Elements type=\"hex8\" mat=\"1\" name=\"body\">"},
+       {"<MeshDomains>\n\t\t<SolidDomain name=\"body\" "
+        "mat=\"tissue\"/>\n\t</MeshDomains>",
+        ""},
+       {fixed_sides, "<fix bc=\"x,y\" node_set=\"all\"/>"},
+       {fixed_bottom, "<fix bc=\"z\" node_set=\"bottom\"/>"},
+       {drained, R"(<prescribe bc="p" node_set="lid">
+			<scale lc="2">1</scale></prescribe>)"},
+       {bottom_nodes, std::string(bottom_nodes) + top_nodes},
+       {"<load_controller id=\"1\" type=\"loadcurve\">",
+        "<loadcurve id=\"2\"><point>0,0</point></loadcurve>"
+        "<loadcurve id=\"1\" type=\"linear\">"},
+       {"</load_controller>", "</loadcurve>"}}));
+}
+
 TEST_CASE("A column of FEBio becomes a mesh")
 {
    const FebImport import = ImportFeb(FebColumn(), "column.feb");

@@ -59,6 +59,30 @@ Tensor3<> TransverselyIsotropicSpatial(const Tensor3<> &F, real_t J)
           (c_a - c_t) * (Product(m, b) + Product(b, m));
 }
 
+Tensor3<> OrthotropicSpatial(const Tensor3<> &F, real_t J)
+{
+   const real_t first[3] = {0.5, 0.7, 0.3};
+   const real_t second[3] = {0.1, 0.4, 0.2};
+   const real_t m[3] = {1.0, 1.5, 2.0};
+   const real_t alpha[3] = {0.5, 1.0, 2.5};
+   const Tensor3<> axes =
+      AxesAlong({SomeDirection()[0], SomeDirection()[1], SomeDirection()[2]});
+   const Tensor3<> b = LeftCauchyGreen(F);
+   Tensor3<> k = (1.1 * Growth(J, 2.0, 1.5)) * IdentityTensor();
+   for (int a = 0; a < 3; a++)
+   {
+      const Vector3<> v =
+         Product(F, Vector3<>{axes[0][a], axes[1][a], axes[2][a]});
+      Tensor3<> texture{};
+      AddOuterProduct(1.0, v, v, texture);
+      const real_t f = Growth(J, m[a], alpha[a]);
+      k = k + (first[a] * f / (J * J)) * texture +
+          (second[a] * f / (2.0 * std::pow(J, 4.0))) *
+             (Product(texture, b) + Product(b, texture));
+   }
+   return k;
+}
+
 std::vector<Sample> Samples()
 {
    const std::map<std::string, real_t> isotropic{
@@ -99,6 +123,23 @@ std::vector<Sample> Samples()
         {"alphaT", 0.5},
         {"alphaA", 1.0}},
        TransverselyIsotropicSpatial},
+      {"referential_orthotropic",
+       {{"k0", 1.1},
+        {"M0", 2.0},
+        {"alpha0", 1.5},
+        {"k1_r", 0.5},
+        {"k1_theta", 0.7},
+        {"k1_z", 0.3},
+        {"k2_r", 0.1},
+        {"k2_theta", 0.4},
+        {"k2_z", 0.2},
+        {"M_r", 1.0},
+        {"M_theta", 1.5},
+        {"M_z", 2.0},
+        {"alpha_r", 0.5},
+        {"alpha_theta", 1.0},
+        {"alpha_z", 2.5}},
+       OrthotropicSpatial},
    };
 }
 
@@ -253,5 +294,10 @@ TEST_CASE("Permeabilities refuse what they can't be", "[laws]")
    CHECK_THROWS_WITH(
       ReferentialTransverselyIsotropicPermeability(
          {0.0, 0.0, 1.0, 0.0, 0.0}, growth, growth, growth, frame),
+      "the permeability is 0; it must be positive");
+   CHECK_THROWS_WITH(
+      ReferentialOrthotropicPermeability(
+         0.0, growth,
+         {{{1.0, 0.0, growth}, {0.0, 1.0, growth}, {0.0, 0.0, growth}}}, frame),
       "the permeability is 0; it must be positive");
 }
