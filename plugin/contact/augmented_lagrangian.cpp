@@ -12,6 +12,23 @@ namespace synovia
 
 using namespace mfem;
 
+namespace
+{
+// @a bodies is what the bodies on both sides resist.
+real_t Stiffness(ContactStiffness stiffness, real_t penalty, real_t bodies)
+{
+   switch (stiffness)
+   {
+   case ContactStiffness::none:
+      return 0.0;
+   case ContactStiffness::bodies:
+      return std::min(penalty, bodies);
+   default:
+      return penalty;
+   }
+}
+} // namespace
+
 AugmentedLagrangian::AugmentedLagrangian(ContactConstraint &constraint_,
                                          const ContactSurface &destination_,
                                          const Vector &vertex_areas_,
@@ -90,31 +107,15 @@ real_t AugmentedLagrangian::TouchingGap() const
 real_t AugmentedLagrangian::GapStiffness(int vertex,
                                          ContactStiffness stiffness) const
 {
-   const real_t penalty = penalties.Gap()[vertex];
-   switch (stiffness)
-   {
-   case ContactStiffness::none:
-      return 0.0;
-   case ContactStiffness::bodies:
-      return std::min(penalty, penalties.Resistance()[vertex]);
-   default:
-      return penalty;
-   }
+   return Stiffness(stiffness, penalties.Gap()[vertex],
+                    penalties.Resistance()[vertex]);
 }
 
 real_t AugmentedLagrangian::JumpStiffness(int vertex,
                                           ContactStiffness stiffness) const
 {
-   const real_t penalty = penalties.Jump()[vertex];
-   switch (stiffness)
-   {
-   case ContactStiffness::none:
-      return 0.0;
-   case ContactStiffness::bodies:
-      return std::min(penalty, penalties.Conductance()[vertex]);
-   default:
-      return penalty;
-   }
+   return Stiffness(stiffness, penalties.Jump()[vertex],
+                    penalties.Conductance()[vertex]);
 }
 
 bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,

@@ -133,7 +133,6 @@ void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
       searched_anew.reset();
       gaps->Follow();
       geometry.LeaveOutSlivers(gaps->Operators());
-      linearized = false;
    }
    const GapOperators &operators = gaps->Operators();
    gap = gaps->Gap();

@@ -63,7 +63,7 @@ private:
    bool reached = false;
    /// Of the surfaces (true dofs).
    mfem::Vector displacement;
-   /// Whether gaps has the derivatives of where the surfaces are.
+   /// Whether gaps has derivatives, of where the surfaces are or were.
    bool linearized = false;
    mfem::Vector removed_overlap;
 };

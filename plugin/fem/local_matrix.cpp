@@ -1,5 +1,7 @@
 #include "synovia/fem/local_matrix.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -93,6 +95,18 @@ void LocalMatrix::FindPlaces()
    for (int dof = 0; diagonal_first && dof < row_space.GetNDofs(); dof++)
    {
       own_places.push_back(place_of(dof, dof));
+   }
+}
+
+void LocalMatrix::Clear()
+{
+   if (constant_part.empty())
+   {
+      std::fill(entries.begin(), entries.end(), 0.0);
+   }
+   else
+   {
+      std::copy(constant_part.begin(), constant_part.end(), entries.begin());
    }
 }
 

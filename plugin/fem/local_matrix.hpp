@@ -2,7 +2,6 @@
 
 #include "mfem.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -40,7 +39,10 @@ public:
    LocalMatrix(mfem::ParFiniteElementSpace &row_space,
                mfem::ParFiniteElementSpace &column_space);
 
-   void SetZero() { std::fill(entries.begin(), entries.end(), 0.0); }
+   /// Back to the constant part; zero if there is none.
+   void Clear();
+   /// What was summed up to now is a constant part of all sums from now on.
+   void KeepAsConstant() { constant_part = entries; }
    /// Adds an element's matrix; rows and columns go component by component.
    void Add(int element, const mfem::DenseMatrix &element_entries);
    /// Adds a matrix by local vector dofs that share an element.
@@ -69,6 +71,8 @@ private:
    std::vector<std::uint16_t> places;
    std::vector<std::size_t> place_begins;
    std::vector<mfem::real_t> entries;
+   /// Empty if there is none.
+   std::vector<mfem::real_t> constant_part;
    mfem::SparseMatrix matrix;
 };
 

@@ -1,20 +1,9 @@
 #include "synovia/fem/rigid_body.hpp"
 
-#include <algorithm>
-
 namespace synovia
 {
 
 using namespace mfem;
-
-namespace
-{
-bool IsZero(const LoadCurve &curve)
-{
-   return std::all_of(curve.Corners().begin(), curve.Corners().end(),
-                      [&](real_t t) { return curve(t) == 0.0; });
-}
-} // namespace
 
 std::string Contradiction(const RigidBodyOptions &options,
                           Deformation deformation)
@@ -34,7 +23,7 @@ std::string Contradiction(const RigidBodyOptions &options,
       {
          continue;
       }
-      if (!IsZero(options.load[i]))
+      if (!options.load[i].IsZero())
       {
          return freedom + " is prescribed, and a " + load +
                 " acts on it too; give one of them";

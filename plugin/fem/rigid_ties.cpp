@@ -3,7 +3,6 @@
 #include "synovia/general/error.hpp"
 #include "synovia/general/reduce.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -13,14 +12,6 @@ using namespace mfem;
 
 namespace
 {
-bool IsFixed(const std::optional<LoadCurve> &prescribed)
-{
-   return prescribed &&
-          std::all_of(prescribed->Corners().begin(),
-                      prescribed->Corners().end(),
-                      [&](real_t t) { return (*prescribed)(t) == 0.0; });
-}
-
 // Whether the displacement along an axis is the same whatever the free freedoms
 // are: rotations about that axis alone don't change it.
 bool Determines(const RigidBodyOptions &body, int axis)
@@ -30,7 +21,8 @@ bool Determines(const RigidBodyOptions &body, int axis)
    for (int d = 0; d < 3; d++)
    {
       all = all && !body.IsFree(d + 3);
-      no_others = no_others && (d == axis || IsFixed(body.prescribed[d + 3]));
+      const std::optional<LoadCurve> &rotation = body.prescribed[d + 3];
+      no_others = no_others && (d == axis || (rotation && rotation->IsZero()));
    }
    return all || no_others;
 }

@@ -58,6 +58,7 @@ TotalLagrangianForm::TotalLagrangianForm(
    if (other->AllPoints() < element.AllPoints())
    {
       straight_element = std::move(other);
+      CorrectStraightTangent();
    }
    AddSprings();
    MeasureRest();
@@ -394,39 +395,69 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
           "\": det F = " + ToText(J);
 }
 
-void TotalLagrangianForm::LinearizeElement(int number, real_t dt)
+bool TotalLagrangianForm::LinearizeElement(BodyElement &points, int number,
+                                           real_t dt)
 {
    const Material &material =
       materials.Get(spaces.GetMesh().GetAttribute(number));
-   const auto compute = [&](BodyElement &points)
+   points.Set(number, u, p);
+   return tangent.Compute(points, *material.solid, *material.permeability, dt);
+}
+
+void TotalLagrangianForm::LinearizeElement(int number, real_t dt)
+{
+   // Between the points of the residual, which are the ones that are verified,
+   // a law may have no value.
+   if (!straight_element || !LinearizeElement(*straight_element, number, dt))
    {
-      points.Set(number, u, p);
-      return tangent.Compute(points, *material.solid, *material.permeability,
-                             dt);
-   };
-   // What curved sides add to the tangent is little; between the points of the
-   // residual, which are the ones that are verified, a law may have no value.
-   if (!straight_element || !compute(*straight_element))
+      LinearizeElement(element, number, dt);
+   }
+}
+
+void TotalLagrangianForm::AddTangent(int number)
+{
+   stiffness.Add(number, tangent.stiffness);
+   growth.Add(number, tangent.growth);
+   tangent.flow_change += tangent.growth;
+   divergence.Add(number, tangent.flow_change);
+   darcy.Add(number, tangent.darcy);
+}
+
+void TotalLagrangianForm::CorrectStraightTangent()
+{
+   u = 0.0;
+   p = 0.0;
+   // Nothing flows at rest.
+   constexpr real_t any_step = 1.0;
+   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
-      compute(element);
+      LinearizeElement(element, e, any_step);
+      AddTangent(e);
+      LinearizeElement(*straight_element, e, any_step);
+      for (DenseMatrix *part : {&tangent.stiffness, &tangent.growth,
+                                &tangent.flow_change, &tangent.darcy})
+      {
+         part->Neg();
+      }
+      AddTangent(e);
+   }
+   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   {
+      matrix->KeepAsConstant();
    }
 }
 
 bool TotalLagrangianForm::Linearize(const BodyStage &stage)
 {
    ToLocal(stage);
-   stiffness.SetZero();
-   growth.SetZero();
-   divergence.SetZero();
-   darcy.SetZero();
+   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   {
+      matrix->Clear();
+   }
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
       LinearizeElement(e, stage.dt);
-      stiffness.Add(e, tangent.stiffness);
-      growth.Add(e, tangent.growth);
-      tangent.flow_change += tangent.growth;
-      divergence.Add(e, tangent.flow_change);
-      darcy.Add(e, tangent.darcy);
+      AddTangent(e);
    }
    loads.SubtractDerivatives(stage.time, stage.dt, u, stiffness, divergence);
    matrices.stiffness = stiffness.Sum();

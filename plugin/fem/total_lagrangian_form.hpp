@@ -31,8 +31,8 @@ public:
    /// Borrows all arguments. Throws Error where a material is none for finite
    /// deformation. Tangents are integrated for elements with
    /// @a tangent_sides: straight ones take a third of the time where sides are
-   /// curved, and Newton's method, which is hardly slower with them, still
-   /// solves for the exact residual. Collective.
+   /// curved, whose part is that at rest then, and Newton's method still solves
+   /// for the exact residual. Collective.
    TotalLagrangianForm(const NamedMesh &mesh, BiphasicSpaces &spaces,
                        const MaterialTable &materials,
                        const std::vector<SpringFoundation> &springs,
@@ -74,8 +74,13 @@ private:
    void AddSprings();
    /// Sets what terms cancel where nothing is deformed.
    void MeasureRest();
+   /// Makes what curved sides add to the tangent at rest a constant part of it.
+   void CorrectStraightTangent();
    /// Sets the tangent to an element's.
    void LinearizeElement(int number, mfem::real_t dt);
+   /// The same with these points; false where a law has no value.
+   bool LinearizeElement(BodyElement &points, int number, mfem::real_t dt);
+   void AddTangent(int element);
    /// What is impossible at a point of the element, which has this number on
    /// its rank; without reduction.
    std::string ValidatePoint(int number, int point) const;

@@ -51,6 +51,12 @@ real_t LoadCurve::operator()(real_t t) const
    return (1.0 - s) * values[i - 1] + s * values[i];
 }
 
+bool LoadCurve::IsZero() const
+{
+   return std::all_of(values.begin(), values.end(),
+                      [](real_t value) { return value == 0.0; });
+}
+
 LoadCurve Ramp(real_t duration, real_t value)
 {
    return LoadCurve({0.0, duration}, {0.0, value});

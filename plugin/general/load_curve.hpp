@@ -20,6 +20,8 @@ public:
    LoadCurve(std::vector<mfem::real_t> times, std::vector<mfem::real_t> values);
 
    mfem::real_t operator()(mfem::real_t t) const;
+   /// Whether it is zero at all times.
+   bool IsZero() const;
 
    /// Times at which the slope may jump: a time step should end there.
    const std::vector<mfem::real_t> &Corners() const { return times; }

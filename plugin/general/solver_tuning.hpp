@@ -65,6 +65,11 @@ struct NewtonTuning
    /// of the nonlinear tolerance. Near 1, the last iteration may fail to reach
    /// it.
    mfem::real_t final_accuracy = 0.3;
+   /// The last iteration of a solve keeps the tangents of bodies and contact:
+   /// one that leaves at most this, in tolerances, if the residual falls as it
+   /// did in the iteration before. Larger: fewer tangents, but more iterations.
+   /// 0: none does.
+   mfem::real_t kept_tangent = 3.0;
    /// Smallest part of a step that the line search tries before the solve
    /// fails. Smaller: more evaluations before a time step is cut.
    mfem::real_t shortest_step = 1.0 / 16.0;

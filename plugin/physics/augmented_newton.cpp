@@ -9,16 +9,6 @@ namespace synovia
 
 using namespace mfem;
 
-AugmentedNewton::AugmentedNewton(
-   BiphasicSpaces &spaces_, StageEquations &equations_, StageContact &contact_,
-   const ToleranceRule &rule_, NewtonDirection &direction_,
-   const BiphasicLinearSolver &linear_, const NonlinearOptions &options_,
-   SolveRecord &record_)
-   : spaces(spaces_), equations(equations_), contact(contact_), rule(rule_),
-     direction(direction_), linear(linear_), options(options_), record(record_)
-{
-}
-
 bool AugmentedNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    for (int augmentation = 0;; augmentation++)

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "synovia/physics/newton_direction.hpp"
-#include "synovia/physics/nonlinear_options.hpp"
-#include "synovia/physics/stage_contact.hpp"
 #include "synovia/physics/stage_method.hpp"
-#include "synovia/physics/tolerance_rule.hpp"
 
 namespace synovia
 {
@@ -15,12 +11,7 @@ namespace synovia
 class AugmentedNewton : public StageMethod
 {
 public:
-   /// Borrows all arguments.
-   AugmentedNewton(BiphasicSpaces &spaces, StageEquations &equations,
-                   StageContact &contact, const ToleranceRule &rule,
-                   NewtonDirection &direction,
-                   const BiphasicLinearSolver &linear,
-                   const NonlinearOptions &options, SolveRecord &record);
+   using StageMethod::StageMethod;
 
    bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) override;
 
@@ -33,15 +24,6 @@ private:
    bool FailAugmentations(const StageContact::Violations &violations);
    /// Norm of the linear residual for one of the stage of this norm.
    mfem::real_t LinearTarget(mfem::real_t norm) const;
-
-   BiphasicSpaces &spaces;
-   StageEquations &equations;
-   StageContact &contact;
-   const ToleranceRule &rule;
-   NewtonDirection &direction;
-   const BiphasicLinearSolver &linear;
-   const NonlinearOptions &options;
-   SolveRecord &record;
 };
 
 } // namespace synovia

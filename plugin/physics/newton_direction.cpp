@@ -53,6 +53,13 @@ void NewtonDirection::Linearize(const ImplicitStage &stage)
    equations.LinearizeTies(stage);
 }
 
+void NewtonDirection::KeepTangent()
+{
+   const PhaseTimer timer(record.times.assembly);
+   equations.KeepContactTangent();
+   linear.TangentChanged();
+}
+
 void NewtonDirection::LinearizeBodies(const BodyStage &stage)
 {
    const PhaseTimer timer(record.times.assembly);

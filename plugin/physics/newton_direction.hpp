@@ -27,6 +27,9 @@ public:
    /// Brings the Jacobian to the state of @a stage, and to its last tractions;
    /// that of bodies from the start stays where it is.
    void Linearize(const ImplicitStage &stage);
+   /// Keeps the derivatives of the last Linearize(), for a state in which no
+   /// contact was searched since.
+   void KeepTangent();
    /// Sets @a step to where the linear residual is at most @a target, in units
    /// of the @a tolerance; false if there is no such step.
    bool Solve(const mfem::BlockVector &residual, mfem::real_t target,

@@ -5,10 +5,14 @@
 namespace synovia
 {
 
+/// Of AugmentedNewton for linear bodies and PrimalDualNewton for others.
 struct NonlinearOptions
 {
-   /// Newton iterations for one set of multipliers.
+   /// Most iterations of Newton's method: for one set of multipliers, or in
+   /// finite deformation, where each iteration has new ones, for a stage.
    int max_newton = 30;
+   /// Most augmentations of a stage; finite deformation has none beside the
+   /// iterations.
    int max_augmentations = 30;
    /// Relative accuracy of a linear solve that suffices to see whether the
    /// active set changes; a set that doesn't is then solved to the end. 0

@@ -11,22 +11,11 @@ namespace synovia
 
 using namespace mfem;
 
-PrimalDualNewton::PrimalDualNewton(
-   BiphasicSpaces &spaces_, StageEquations &equations_, StageContact &contact_,
-   const ToleranceRule &rule_, NewtonDirection &direction_,
-   const BiphasicLinearSolver &linear_, const NonlinearOptions &options_,
-   SolveRecord &record_)
-   : spaces(spaces_), equations(equations_), contact(contact_), rule(rule_),
-     direction(direction_), linear(linear_), options(options_), record(record_),
-     body_imbalance(spaces.Offsets()), residual(spaces.Offsets()),
-     step(spaces.Offsets())
-{
-}
-
 bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    const NewtonTuning &tuning = options.tuning.newton;
    ForcingTerm forcing(tuning);
+   TangentRenewal renewal(tuning);
    int searches = 0;
    set_changed = false;
    bool evaluated = false;
@@ -34,8 +23,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    {
       if (!evaluated)
       {
-         equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
-                                        body_imbalance.GetBlock(1));
+         EvaluateBodies(stage);
       }
       const StageContact::Violations violations = contact.FindViolations(stage);
       const real_t balance = AssessBalance(stage, tolerance);
@@ -49,6 +37,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
             return true;
          }
          searches++;
+         renewal.Restart();
          set_changed = true;
          evaluated = false;
          continue;
@@ -73,7 +62,14 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       // Tractions of the penalties, above the shear modulus, would make
       // surfaces buckle.
       contact.SetTractions(ContactStiffness::bodies);
-      direction.Linearize(stage);
+      if (renewal.IsDue(balance))
+      {
+         direction.Linearize(stage);
+      }
+      else
+      {
+         direction.KeepTangent();
+      }
       if (!direction.Solve(residual, target, tolerance, step) ||
           !TakeStep(stage, tolerance))
       {
@@ -85,6 +81,12 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    return contact.FailIterations(options.max_newton);
 }
 
+void PrimalDualNewton::EvaluateBodies(const ImplicitStage &stage)
+{
+   equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
+                                  body_imbalance.GetBlock(1));
+}
+
 real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
                                 ContactStiffness stiffness,
                                 const ResidualTolerance &tolerance)
@@ -93,6 +95,7 @@ real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
    residual = body_imbalance;
    equations.AddContactImbalance(stage, residual.GetBlock(0),
                                  residual.GetBlock(1));
+   mass_imbalance = residual.GetBlock(1);
    equations.MakeResidual(stage, residual);
    return linear.Norm(residual, tolerance);
 }
@@ -107,19 +110,13 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
    if (norm <= 1.0 && stage.from_start)
    {
       stage.from_start = false;
-      equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
-                                     body_imbalance.GetBlock(1));
+      EvaluateBodies(stage);
       norm = Assess(stage, ContactStiffness::none, tolerance);
    }
-   if (norm <= known && !set_changed && !stage.from_start)
+   if (norm <= known && !set_changed && !stage.from_start &&
+       rule.Tighten(mass_imbalance, tolerance))
    {
-      Vector momentum(body_imbalance.GetBlock(0));
-      Vector mass(body_imbalance.GetBlock(1));
-      equations.AddContactImbalance(stage, momentum, mass);
-      if (rule.Tighten(mass, tolerance))
-      {
-         norm = linear.Norm(residual, tolerance);
-      }
+      norm = linear.Norm(residual, tolerance);
    }
    return norm;
 }
@@ -177,8 +174,7 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
       return impossible;
    }
    equations.EvaluateContact(stage);
-   equations.ComputeBodyImbalance(stage, body_imbalance.GetBlock(0),
-                                  body_imbalance.GetBlock(1));
+   EvaluateBodies(stage);
    const real_t now = Assess(stage, ContactStiffness::bodies, tolerance);
    if (now <= std::max(tuning.residual_floor, tuning.residual_growth * norm))
    {

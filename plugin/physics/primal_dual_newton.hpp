@@ -1,11 +1,8 @@
 #pragma once
 
 #include "synovia/physics/forcing_term.hpp"
-#include "synovia/physics/newton_direction.hpp"
-#include "synovia/physics/nonlinear_options.hpp"
-#include "synovia/physics/stage_contact.hpp"
 #include "synovia/physics/stage_method.hpp"
-#include "synovia/physics/tolerance_rule.hpp"
+#include "synovia/physics/tangent_renewal.hpp"
 
 #include <string>
 
@@ -29,16 +26,13 @@ namespace synovia
 class PrimalDualNewton : public StageMethod
 {
 public:
-   /// Borrows all arguments.
-   PrimalDualNewton(BiphasicSpaces &spaces, StageEquations &equations,
-                    StageContact &contact, const ToleranceRule &rule,
-                    NewtonDirection &direction,
-                    const BiphasicLinearSolver &linear,
-                    const NonlinearOptions &options, SolveRecord &record);
+   using StageMethod::StageMethod;
 
    bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) override;
 
 private:
+   /// Evaluates the bodies and their loads.
+   void EvaluateBodies(const ImplicitStage &stage);
    /// Sets the residual with tractions of @a stiffness; returns its norm.
    mfem::real_t Assess(const ImplicitStage &stage, ContactStiffness stiffness,
                        const ResidualTolerance &tolerance);
@@ -58,18 +52,12 @@ private:
    /// Where the forces are least in balance.
    Point3 WorstPlace() const;
 
-   BiphasicSpaces &spaces;
-   StageEquations &equations;
-   StageContact &contact;
-   const ToleranceRule &rule;
-   NewtonDirection &direction;
-   const BiphasicLinearSolver &linear;
-   const NonlinearOptions &options;
-   SolveRecord &record;
    /// Of the bodies and their loads, at the last state.
-   mfem::BlockVector body_imbalance;
-   mfem::BlockVector residual;
-   mfem::BlockVector step;
+   mfem::BlockVector body_imbalance{spaces.Offsets()};
+   /// What is missing for the balance of the fluid, with contact.
+   mfem::Vector mass_imbalance;
+   mfem::BlockVector residual{spaces.Offsets()};
+   mfem::BlockVector step{spaces.Offsets()};
    /// Whether the last decision changed the active set.
    bool set_changed = false;
    /// Whether the last step was taken as a whole.

@@ -102,6 +102,9 @@ public:
    bool LinearizeBodies(const BodyStage &stage);
    /// The same for the contact, which must have been evaluated there.
    bool LinearizeContact(const BodyStage &stage);
+   /// Keeps the derivatives of the last LinearizeContact(), with the maps of
+   /// nodal forces and flows as they were evaluated last.
+   void KeepContactTangent() { UpdateFactors(); }
    /// The same for what is tied to rigid bodies, with the forces of the contact
    /// as it was evaluated last.
    void LinearizeTies(const ImplicitStage &stage);

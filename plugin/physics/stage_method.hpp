@@ -1,7 +1,9 @@
 #pragma once
 
-#include "synovia/linalg/biphasic_linear_solver.hpp"
-#include "synovia/physics/stage_equations.hpp"
+#include "synovia/physics/newton_direction.hpp"
+#include "synovia/physics/nonlinear_options.hpp"
+#include "synovia/physics/stage_contact.hpp"
+#include "synovia/physics/tolerance_rule.hpp"
 
 namespace synovia
 {
@@ -11,6 +13,11 @@ namespace synovia
 class StageMethod
 {
 public:
+   /// Borrows all arguments.
+   StageMethod(BiphasicSpaces &spaces, StageEquations &equations,
+               StageContact &contact, const ToleranceRule &rule,
+               NewtonDirection &direction, const BiphasicLinearSolver &linear,
+               const NonlinearOptions &options, SolveRecord &record);
    virtual ~StageMethod() = default;
 
    /// Brings @a stage from its first guess, where contact is evaluated, to
@@ -18,6 +25,16 @@ public:
    /// gaps and pressure jumps within theirs. If it fails, the record says why.
    /// Collective.
    virtual bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) = 0;
+
+protected:
+   BiphasicSpaces &spaces;
+   StageEquations &equations;
+   StageContact &contact;
+   const ToleranceRule &rule;
+   NewtonDirection &direction;
+   const BiphasicLinearSolver &linear;
+   const NonlinearOptions &options;
+   SolveRecord &record;
 };
 
 } // namespace synovia
