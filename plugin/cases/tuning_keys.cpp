@@ -57,6 +57,8 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "largest_forcing", newton.largest_forcing,
        NumberRange::Inside(0.0, 1.0),
        "part of the nonlinear residual that linear systems may leave");
+   Add(keys, "largest_forcing_multigrid", newton.largest_forcing_multigrid,
+       NumberRange::Inside(0.0, 1.0), "the same with multigrid");
    Add(keys, "forcing_factor", newton.forcing_factor,
        NumberRange::Inside(0.0, 10.0),
        "factor of Eisenstat and Walker's forcing term");
@@ -92,6 +94,9 @@ KeyTable FactorizationKeys(FactorizationTuning &factorization)
    Add(keys, "compress_above", factorization.compress_above,
        NumberRange::From(0, 1000000000),
        "unknowns above which unsymmetric factors are compressed");
+   keys.Value("single_precision", factorization.single_precision, "",
+              "whether unsymmetric matrices are factorized in single "
+              "precision");
    Add(keys, "like_step", factorization.like_step, NumberRange::From(1.0, 1e6),
        "factor of time steps that may share a factorization");
    Add(keys, "other_weight", factorization.other_weight,

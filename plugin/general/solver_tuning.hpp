@@ -57,7 +57,10 @@ struct NewtonTuning
    /// The linear systems of finite deformation are solved to this part of the
    /// nonlinear residual at least. Larger: cheaper iterations, and more of
    /// them.
-   mfem::real_t largest_forcing = 1e-4;
+   mfem::real_t largest_forcing = 1e-2;
+   /// The same with multigrid, whose residual may be all in what moves a rigid
+   /// body.
+   mfem::real_t largest_forcing_multigrid = 1e-4;
    /// Of Eisenstat and Walker's forcing term, factor of the squared reduction
    /// of the residual in the last iteration.
    mfem::real_t forcing_factor = 0.9;
@@ -94,6 +97,10 @@ struct FactorizationTuning
    /// and memory for a factorization, and more iterations. 0: none are.
    mfem::real_t compression = 1e-4;
    int compress_above = 50000;
+   /// Whether unsymmetric matrices are factorized in single precision, if MUMPS
+   /// was built for it: half the time and memory; after a system that fresh
+   /// factors don't solve, all are factorized in double precision.
+   bool single_precision = true;
    /// Time steps within this factor of the one factorized for use its factors.
    /// Larger: fewer factorizations, more iterations.
    mfem::real_t like_step = 1.2;

@@ -162,6 +162,7 @@ void DirectPreconditioner::Factorize()
    else
    {
       const bool symmetric = jacobian.IsContactSymmetric();
+      options.single_precision = !symmetric && tuning.single_precision;
       if (!symmetric && matrix->GetGlobalNumRows() > tuning.compress_above)
       {
          options.compression = tuning.compression;
@@ -330,7 +331,14 @@ int DirectPreconditioner::Patience() const
 bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 {
    extra_solves += std::max(0, attempt.iterations - 1);
-   const bool again = !attempt.converged && !fresh;
+   const bool too_coarse =
+      !attempt.converged && fresh && options.single_precision;
+   if (too_coarse)
+   {
+      tuning.single_precision = false;
+      factors.reset();
+   }
+   const bool again = !attempt.converged && (!fresh || too_coarse);
    outdated = again || extra_solves >= renew_after;
    return again;
 }

@@ -36,6 +36,20 @@ DirectLibrary Choose(DirectLibrary library)
    }
    return has_mumps ? DirectLibrary::mumps : DirectLibrary::umfpack;
 }
+
+#ifdef SYNOVIA_HAS_MUMPS
+std::unique_ptr<Solver> MakeMumpsSolver(MPI_Comm comm, MatrixKind kind,
+                                        const DirectOptions &options)
+{
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+   if (options.single_precision)
+   {
+      return std::make_unique<MumpsSolver<float>>(comm, kind, options);
+   }
+#endif
+   return std::make_unique<MumpsSolver<double>>(comm, kind, options);
+}
+#endif
 } // namespace
 
 void VerifyDirectLibrary(DirectLibrary library, MPI_Comm comm)
@@ -66,7 +80,7 @@ std::unique_ptr<Solver> MakeDirectSolver(const HypreParMatrix &matrix,
 #ifdef SYNOVIA_HAS_MUMPS
    if (Choose(options.library) == DirectLibrary::mumps)
    {
-      solver = std::make_unique<MumpsSolver>(matrix.GetComm(), kind, options);
+      solver = MakeMumpsSolver(matrix.GetComm(), kind, options);
    }
 #endif
 #ifdef SYNOVIA_HAS_UMFPACK

@@ -39,6 +39,9 @@ struct DirectOptions
    /// Comput 37:A1451-A1474, 2015): less time and memory, and factors that are
    /// no more than a preconditioner. 0: exact factors.
    mfem::real_t compression = 0.0;
+   /// With MUMPS, if it was built for single precision too, factors have single
+   /// precision.
+   bool single_precision = false;
 };
 
 /// A factorization that failed, or a solve with it, on all ranks alike: the

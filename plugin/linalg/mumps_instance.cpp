@@ -55,14 +55,27 @@ MUMPS_INT Symmetry(MatrixKind kind)
    }
 }
 
+void Call(DMUMPS_STRUC_C &data)
+{
+   dmumps_c(&data);
+}
+
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+void Call(SMUMPS_STRUC_C &data)
+{
+   smumps_c(&data);
+}
+#endif
+
 std::string Megabytes(double amount)
 {
    return ToText(std::ceil(amount)) + " MB";
 }
 } // namespace
 
-MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind,
-                             const DirectOptions &options)
+template <typename Number>
+MumpsInstance<Number>::MumpsInstance(MPI_Comm comm, MatrixKind kind,
+                                     const DirectOptions &options)
 {
    data.sym = Symmetry(kind);
    data.par = 1;
@@ -83,43 +96,50 @@ MumpsInstance::MumpsInstance(MPI_Comm comm, MatrixKind kind,
    if (options.compression > 0.0)
    {
       set(low_rank_blocks, compressed_factors);
-      data.cntl[low_rank_accuracy - 1] = options.compression;
+      data.cntl[low_rank_accuracy - 1] =
+         static_cast<Number>(options.compression);
    }
 }
 
-bool MumpsInstance::Run(MumpsJob job)
+template <typename Number>
+bool MumpsInstance<Number>::Run(MumpsJob job)
 {
    data.job = static_cast<MUMPS_INT>(job);
-   dmumps_c(&data);
+   Call(data);
    return data.infog[status - 1] >= 0;
 }
 
-MumpsStatus MumpsInstance::Status() const
+template <typename Number>
+MumpsStatus MumpsInstance<Number>::Status() const
 {
    return static_cast<MumpsStatus>(data.infog[status - 1]);
 }
 
-MUMPS_INT &MumpsInstance::WorkspaceMargin()
+template <typename Number>
+MUMPS_INT &MumpsInstance<Number>::WorkspaceMargin()
 {
    return data.icntl[workspace_margin - 1];
 }
 
-MUMPS_INT MumpsInstance::SolutionSize() const
+template <typename Number>
+MUMPS_INT MumpsInstance<Number>::SolutionSize() const
 {
    return data.info[solution_size - 1];
 }
 
-double MumpsInstance::MissingMemory() const
+template <typename Number>
+double MumpsInstance<Number>::MissingMemory() const
 {
    const double number = data.infog[detail - 1];
    // Below zero it counts millions of entries, says the users' guide; MUMPS 5.5
    // on several ranks has entries there too. That many millions are none.
    constexpr double most_millions = 1e5;
    const bool millions = number < 0.0 && -number < most_millions;
-   return 1e-6 * sizeof(real_t) * (millions ? 1e6 : 1.0) * std::abs(number);
+   return 1e-6 * sizeof(Number) * (millions ? 1e6 : 1.0) * std::abs(number);
 }
 
-std::string MumpsInstance::Explain(const std::string &task) const
+template <typename Number>
+std::string MumpsInstance<Number>::Explain(const std::string &task) const
 {
    const std::string who = "MUMPS could not " + task + " (" +
                            std::to_string(data.n) + " unknowns): ";
@@ -154,6 +174,11 @@ std::string MumpsInstance::Explain(const std::string &task) const
              ", INFOG(2) = " + std::to_string(data.infog[detail - 1]);
    }
 }
+
+template class MumpsInstance<double>;
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+template class MumpsInstance<float>;
+#endif
 
 } // namespace synovia
 

@@ -4,6 +4,11 @@
 
 #ifdef MFEM_USE_MUMPS
 
+#include <dmumps_c.h>
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+#include <smumps_c.h>
+#endif
+
 #include <string>
 
 namespace synovia
@@ -33,7 +38,25 @@ enum class MumpsStatus
    not_positive_definite = -40
 };
 
-/// MUMPS' data of one matrix. Collective to make, to run and to end.
+/// MUMPS' structure for a type of numbers.
+template <typename Number>
+struct MumpsData;
+template <>
+struct MumpsData<double>
+{
+   using Type = DMUMPS_STRUC_C;
+};
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+template <>
+struct MumpsData<float>
+{
+   using Type = SMUMPS_STRUC_C;
+};
+#endif
+
+/// MUMPS' data of one matrix of such numbers. Collective to make, to run and to
+/// end.
+template <typename Number>
 class MumpsInstance
 {
 public:
@@ -53,7 +76,7 @@ public:
    /// Entries of a solution on this rank, once there are factors.
    MUMPS_INT SolutionSize() const;
 
-   DMUMPS_STRUC_C data{};
+   typename MumpsData<Number>::Type data{};
 
 private:
    /// Megabytes that MUMPS lacked, or could not allocate.

@@ -7,6 +7,7 @@
 #include "synovia/linalg/mumps_instance.hpp"
 #include "synovia/linalg/pattern_hash.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace synovia
@@ -18,6 +19,7 @@ namespace
 {
 /// This rank's rows, only the lower triangle of symmetric ones, in global
 /// numbers from 1.
+template <typename Number>
 struct Entries
 {
    Entries(const HypreParMatrix &matrix, bool lower_triangle)
@@ -36,7 +38,7 @@ struct Entries
             {
                rows.push_back(first + i + 1);
                columns.push_back(column + 1);
-               values.push_back(mine.GetData()[k]);
+               values.push_back(static_cast<Number>(mine.GetData()[k]));
             }
          }
       }
@@ -44,19 +46,22 @@ struct Entries
 
    std::vector<int> rows;
    std::vector<int> columns;
-   std::vector<real_t> values;
+   std::vector<Number> values;
 };
 } // namespace
 
-MumpsSolver::MumpsSolver(MPI_Comm comm_, MatrixKind kind_,
-                         const DirectOptions &options_)
+template <typename Number>
+MumpsSolver<Number>::MumpsSolver(MPI_Comm comm_, MatrixKind kind_,
+                                 const DirectOptions &options_)
    : comm(comm_), kind(kind_), options(options_)
 {
 }
 
-MumpsSolver::~MumpsSolver() = default;
+template <typename Number>
+MumpsSolver<Number>::~MumpsSolver() = default;
 
-void MumpsSolver::SetOperator(const Operator &op)
+template <typename Number>
+void MumpsSolver<Number>::SetOperator(const Operator &op)
 {
    const auto &matrix = dynamic_cast<const HypreParMatrix &>(op);
    height = width = matrix.Height();
@@ -69,9 +74,9 @@ void MumpsSolver::SetOperator(const Operator &op)
    if (reorder)
    {
       instance.reset();
-      instance = std::make_unique<MumpsInstance>(comm, kind, options);
+      instance = std::make_unique<MumpsInstance<Number>>(comm, kind, options);
    }
-   Entries entries(matrix, kind != MatrixKind::general);
+   Entries<Number> entries(matrix, kind != MatrixKind::general);
    instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
    instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
    instance->data.irn_loc = entries.rows.data();
@@ -91,7 +96,8 @@ void MumpsSolver::SetOperator(const Operator &op)
    solution_rows.resize(instance->SolutionSize());
 }
 
-bool MumpsSolver::Factorize()
+template <typename Number>
+bool MumpsSolver<Number>::Factorize()
 {
    // Pivots that can't be taken in the order foreseen cost workspace; within a
    // limit MUMPS takes all there is.
@@ -111,43 +117,46 @@ bool MumpsSolver::Factorize()
    return true;
 }
 
-void MumpsSolver::Fail(const std::string &task)
+template <typename Number>
+void MumpsSolver<Number>::Fail(const std::string &task)
 {
    const std::string reason = instance->Explain(task);
    instance.reset();
    throw FactorizationError(reason);
 }
 
-void MumpsSolver::Mult(const Vector &x, Vector &y) const
+template <typename Number>
+void MumpsSolver<Number>::Mult(const Vector &x, Vector &y) const
 {
    Array<const Vector *> right_sides({&x});
    Array<Vector *> solutions({&y});
    ArrayMult(right_sides, solutions);
 }
 
-void MumpsSolver::ArrayMult(const Array<const Vector *> &x,
-                            Array<Vector *> &y) const
+template <typename Number>
+void MumpsSolver<Number>::ArrayMult(const Array<const Vector *> &x,
+                                    Array<Vector *> &y) const
 {
    MFEM_VERIFY(instance, "there is no factorization");
    const int count = x.Size();
-   // One right side is used where it is, several are put side by side.
-   Vector several(count > 1 ? count * height : 0);
-   for (int i = 0; i < count && count > 1; i++)
+   std::vector<Number> right_sides;
+   right_sides.reserve(std::size_t(count) * height);
+   for (const Vector *one : x)
    {
-      several.SetVector(*x[i], i * height);
+      one->HostRead();
+      right_sides.insert(right_sides.end(), one->begin(), one->end());
    }
    const int rows_here = static_cast<int>(solution_rows.size());
-   Vector solutions(count * rows_here);
+   std::vector<Number> solutions(std::size_t(count) * rows_here);
 
-   DMUMPS_STRUC_C &data = instance->data;
+   auto &data = instance->data;
    data.nrhs = count;
    data.nloc_rhs = data.lrhs_loc = height;
    data.irhs_loc = const_cast<int *>(right_side_rows.data());
-   data.rhs_loc =
-      const_cast<real_t *>(count > 1 ? several.HostRead() : x[0]->HostRead());
+   data.rhs_loc = right_sides.data();
    data.lsol_loc = rows_here;
    data.isol_loc = solution_rows.data();
-   data.sol_loc = solutions.HostWrite();
+   data.sol_loc = solutions.data();
    if (!instance->Run(MumpsJob::solve))
    {
       throw FactorizationError(instance->Explain("solve for a right side"));
@@ -162,11 +171,19 @@ void MumpsSolver::ArrayMult(const Array<const Vector *> &x,
       }
       route = std::make_unique<RowRoute>(rows, first_row, comm);
    }
+   Vector here(rows_here);
    for (int i = 0; i < count; i++)
    {
-      route->Bring(solutions.HostRead() + i * rows_here, *y[i]);
+      std::copy_n(solutions.begin() + std::size_t(i) * rows_here, rows_here,
+                  here.begin());
+      route->Bring(here.HostRead(), *y[i]);
    }
 }
+
+template class MumpsSolver<double>;
+#ifdef SYNOVIA_USE_SINGLE_MUMPS
+template class MumpsSolver<float>;
+#endif
 
 } // namespace synovia
 

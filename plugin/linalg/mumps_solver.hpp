@@ -12,12 +12,15 @@
 namespace synovia
 {
 
+template <typename Number>
 class MumpsInstance;
 
-/// Factors of a distributed matrix, by MUMPS.
+/// Factors of a distributed matrix, by MUMPS, with entries of this type: those
+/// in single precision take half the time and memory, and are a preconditioner.
 ///
 /// MFEM's own interface ends the program if a factorization fails; this one
 /// throws FactorizationError, and can go on with another matrix.
+template <typename Number>
 class MumpsSolver final : public mfem::Solver
 {
 public:
@@ -41,7 +44,7 @@ private:
    MPI_Comm comm;
    MatrixKind kind;
    DirectOptions options;
-   std::unique_ptr<MumpsInstance> instance;
+   std::unique_ptr<MumpsInstance<Number>> instance;
    std::uint64_t pattern = 0;
    HYPRE_BigInt first_row = 0;
    /// Rows as MUMPS counts, from 1: of right sides, and of solutions where it

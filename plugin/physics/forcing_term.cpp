@@ -9,12 +9,11 @@ using namespace mfem;
 
 real_t ForcingTerm::Next(real_t norm)
 {
-   real_t term = tuning.largest_forcing;
+   real_t term = largest;
    if (last_norm > 0.0)
    {
       const real_t fall = norm / last_norm;
-      term =
-         std::min(tuning.largest_forcing, tuning.forcing_factor * fall * fall);
+      term = std::min(largest, factor * fall * fall);
    }
    last_norm = norm;
    return term;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/general/solver_tuning.hpp"
+#include "mfem.hpp"
 
 namespace synovia
 {
@@ -12,14 +12,19 @@ namespace synovia
 class ForcingTerm
 {
 public:
-   explicit ForcingTerm(const NewtonTuning &tuning_) : tuning(tuning_) {}
+   /// @a largest: of all terms, and the first.
+   ForcingTerm(mfem::real_t largest_, mfem::real_t factor_)
+      : largest(largest_), factor(factor_)
+   {
+   }
 
    /// Tolerance of the linear residual relative to @a norm, the norm of the
    /// nonlinear residual in the linearized state.
    mfem::real_t Next(mfem::real_t norm);
 
 private:
-   NewtonTuning tuning;
+   mfem::real_t largest;
+   mfem::real_t factor;
    /// 0 before the first iteration.
    mfem::real_t last_norm = 0.0;
 };

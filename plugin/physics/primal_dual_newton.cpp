@@ -14,7 +14,10 @@ using namespace mfem;
 bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    const NewtonTuning &tuning = options.tuning.newton;
-   ForcingTerm forcing(tuning);
+   const bool direct = linear.Options().method == LinearMethod::direct;
+   ForcingTerm forcing(direct ? tuning.largest_forcing
+                              : tuning.largest_forcing_multigrid,
+                       tuning.forcing_factor);
    TangentRenewal renewal(tuning);
    int searches = 0;
    set_changed = false;

@@ -156,6 +156,28 @@ TEST_CASE("A direct solver takes matrices with the same entries and others")
    CHECK(solved == 9 * static_cast<int>(Libraries().size()));
 }
 
+TEST_CASE("Factors in single precision are a preconditioner")
+{
+   ParMesh mesh = Cube(4);
+   const auto matrix = MakeMatrix(mesh, 2, 1.0);
+   for (const DirectLibrary library : Libraries())
+   {
+      DirectOptions options = Options(library);
+      options.single_precision = true;
+      const std::unique_ptr<Solver> solver =
+         MakeDirectSolver(*matrix, MatrixKind::general, options);
+      const real_t residual = Residual(*solver, *matrix);
+      CHECK(residual < 1e-5);
+#ifdef SYNOVIA_HAS_SINGLE_MUMPS
+      CHECK((residual > 1e-9) == (library == DirectLibrary::mumps));
+#endif
+      // Again, with other values at the same places.
+      const auto other = MakeMatrix(mesh, 2, 100.0);
+      solver->SetOperator(*other);
+      CHECK(Residual(*solver, *other) < 1e-5);
+   }
+}
+
 TEST_CASE("The libraries come to the same solution")
 {
    if (Libraries().size() < 2)
