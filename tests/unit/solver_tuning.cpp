@@ -132,7 +132,7 @@ TEST_CASE("Every tuning constant has a key, and its default is the struct's")
    const std::vector<std::string> keys = TuningKeys();
    // A member without a key changes the size of the struct only.
    CHECK(sizeof(SolverTuning) <= keys.size() * sizeof(real_t));
-   CHECK(keys.size() == 45);
+   CHECK(keys.size() == 48);
    const CaseFile standard = Parsed({});
    for (const std::string &key : keys)
    {
@@ -144,7 +144,11 @@ TEST_CASE("Every tuning constant has a key, and its default is the struct's")
                           key.find("after") != std::string::npos ||
                           key.find("restart") != std::string::npos;
       const bool cut = key.find("most_cut") != std::string::npos;
-      const std::string value = counts ? "7" : cut ? "0.03" : "1.0";
+      const bool flag = key.find("single_precision") != std::string::npos;
+      const std::string value = counts ? "7"
+                                : cut  ? "0.03"
+                                : flag ? "false"
+                                       : "1.0";
       const bool open =
          Problem(key + "=" + value).find("between") != std::string::npos;
       const std::vector<CaseChange> changes =
