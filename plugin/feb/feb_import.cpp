@@ -1,10 +1,11 @@
 #include "synovia/feb/feb_import.hpp"
 #include "synovia/cases/case_keys.hpp"
-#include "synovia/feb/feb_laws.hpp"
 #include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_steady.hpp"
 #include "synovia/feb/msh_writer.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/general/root_rank.hpp"
+#include "synovia/general/text.hpp"
 #include "synovia/io/output_file.hpp"
 
 #include <filesystem>
@@ -20,8 +21,6 @@ using namespace mfem;
 namespace
 {
 namespace fs = std::filesystem;
-// Steps take much longer than fluid with permeabilities times this.
-constexpr real_t steady_factor = 1e8;
 using Fate = FebReport::Fate;
 
 void ReadModule(const FebInput &root)
@@ -124,6 +123,25 @@ void AddRigidBodies(const FebInput &root, FebModel &model)
    }
 }
 
+void MakeSteady(const FebInput &root, FebModel &model)
+{
+   const real_t factor = MakeSteady(model);
+   root.Find("Control")
+      ->Find("analysis")
+      ->Approximate("each step ends in a steady state, as permeabilities are "
+                    "taken times " +
+                    ToText(factor) + "; fluxes are too");
+   for (const BoundaryCase &boundary : model.setup.boundaries)
+   {
+      if (boundary.normal_flux)
+      {
+         root.Find("Loads")->Stop("prescribed fluxes are not known in steady "
+                                  "states");
+         return;
+      }
+   }
+}
+
 // 1 if all elements are linear, 2 if one of them isn't.
 int Order(const FebMesh &mesh, const std::set<int> &parts)
 {
@@ -133,24 +151,6 @@ int Order(const FebMesh &mesh, const std::set<int> &parts)
       order = std::max(order, mesh.parts[part].shape->order);
    }
    return order;
-}
-
-// Pressures of a steady state depend on ratios of permeabilities only, unless a
-// flux is prescribed: with large ones fluid takes no time.
-void MakeSteady(const FebInput &root, FebModel &model)
-{
-   for (MaterialCase &material : model.setup.materials)
-   {
-      Scale(steady_factor, material.permeability);
-   }
-   const std::optional<FebInput> control = root.Find("Control");
-   const std::optional<FebInput> analysis =
-      control ? control->Find("analysis") : std::nullopt;
-   if (analysis)
-   {
-      analysis->Approximate("each step is in a steady state, as permeabilities "
-                            "are taken times 1e8; fluxes are too");
-   }
 }
 
 void ReadModel(const FebInput &root, FebModel &model)
@@ -179,10 +179,6 @@ void ReadModel(const FebInput &root, FebModel &model)
    model.surfaces =
       std::make_unique<FebSurfaces>(model.mesh, model.materials.deformable);
    model.setup.materials = model.materials.materials;
-   if (model.steps.steady)
-   {
-      MakeSteady(root, model);
-   }
    AddRigidBodies(root, model);
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
@@ -262,6 +258,10 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    FebModel model;
    ReadModel(root, model);
    IgnoreOutput(root);
+   if (model.steps.steady && !import.report.IsStopped())
+   {
+      MakeSteady(root, model);
+   }
    import.report.ListUnread(element);
    if (import.report.IsStopped())
    {

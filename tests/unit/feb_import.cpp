@@ -255,6 +255,21 @@ TEST_CASE("What is not known in a model stops its import, with line and path")
          std::string::npos);
 }
 
+TEST_CASE("Fluid takes no time in a steady state")
+{
+   const FebImport import = ImportFeb(
+      Replaced(FebColumn(), "TRANSIENT", "STEADY-STATE"), "model.feb");
+   CHECK_FALSE(import.report.IsStopped());
+   CHECK(import.report.Text(Fate::approximated)
+            .find("Control/analysis: each step ends in a steady state") !=
+         std::string::npos);
+   // 2^2 / (H_A 0.01) with H_A about 2 is 200, a step 0.5.
+   const PermeabilityCase &permeability =
+      import.setup.materials[0].permeability;
+   CHECK(permeability.parameters.at("value") == Approx(0.01e6));
+   CHECK(permeability.parameters.at("M") == 1.5);
+}
+
 TEST_CASE("All that stops an import is listed")
 {
    std::string text = Replaced(FebColumn(), "<E>2", "<E>two");
