@@ -165,7 +165,10 @@ void EnterConditions(const BoundaryCase &boundary, const std::string &surface,
    }
    enter(boundary.pressure.has_value(), "pressure", "pressure or flux");
    enter(boundary.normal_flux.has_value(), "normal_flux", "pressure or flux");
+   enter(boundary.mixture_flux.has_value(), "mixture_flux", "pressure or flux");
    enter(boundary.normal_traction.has_value(), "normal_traction",
+         "the normal traction");
+   enter(boundary.effective_traction.has_value(), "effective_traction",
          "the normal traction");
 }
 
@@ -177,9 +180,15 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
    const ForceCase &force = boundary.force;
    const bool stiff = boundary.spring.stiffness > 0.0;
    const bool moved = u[0] || u[1] || u[2] || force.curve || stiff;
-   const std::vector<std::string> keys = {
-      "displacement", "pressure", "traction", "normal_traction",
-      "normal_flux",  "spring",   "force"};
+   const std::vector<std::string> keys = {"displacement",
+                                          "pressure",
+                                          "traction",
+                                          "normal_traction",
+                                          "effective_traction",
+                                          "normal_flux",
+                                          "mixture_flux",
+                                          "spring",
+                                          "force"};
    // Keys with errors count.
    const bool written =
       std::any_of(keys.begin(), keys.end(),
@@ -187,7 +196,8 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
                   { return reading.Places().count(path + "." + key) > 0; });
    reading.Require(
       moved || boundary.pressure || boundary.traction ||
-         boundary.normal_traction || boundary.normal_flux || written,
+         boundary.normal_traction || boundary.effective_traction ||
+         boundary.normal_flux || boundary.mixture_flux || written,
       path, "nothing is prescribed here; give one of " + JoinedNames(keys));
    reading.Require(stiff || !boundary.spring.IsDirected(), path + ".spring",
                    "there is a direction, but no stiffness");
@@ -216,6 +226,16 @@ void CheckBoundaries(const CaseFile &setup, CaseReading &reading)
    {
       CheckBoundary(setup.boundaries[i], EntryPath("boundary", i), once,
                     reading);
+      reading.Require(!setup.boundaries[i].effective_traction ||
+                         setup.space.deformation == Deformation::finite,
+                      EntryPath("boundary", i, "effective_traction"),
+                      "it is only known in finite deformation; give the total "
+                      "traction");
+      reading.Require(!setup.boundaries[i].mixture_flux ||
+                         setup.space.deformation == Deformation::finite,
+                      EntryPath("boundary", i, "mixture_flux"),
+                      "it is only known in finite deformation; give the "
+                      "relative flux");
    }
 }
 
@@ -280,12 +300,14 @@ std::map<std::string, std::string> FluidConditions(const CaseFile &setup)
    for (size_t i = 0; i < setup.boundaries.size(); i++)
    {
       const BoundaryCase &boundary = setup.boundaries[i];
-      if (boundary.pressure || boundary.normal_flux)
+      if (boundary.pressure || boundary.normal_flux || boundary.mixture_flux)
       {
          for (const std::string &surface : boundary.surfaces)
          {
-            paths[surface] = EntryPath(
-               "boundary", i, boundary.pressure ? "pressure" : "normal_flux");
+            paths[surface] = EntryPath("boundary", i,
+                                       boundary.pressure      ? "pressure"
+                                       : boundary.normal_flux ? "normal_flux"
+                                                              : "mixture_flux");
          }
       }
    }

@@ -141,8 +141,13 @@ struct BoundaryCase
    std::optional<std::array<LoadCurve, 3>> traction;
    /// Total traction along the outward normal, positive in tension (stress).
    std::optional<LoadCurve> normal_traction;
+   /// Traction along the outward normal of the solid alone, to which the
+   /// fluid's pressure adds (stress).
+   std::optional<LoadCurve> effective_traction;
    /// Outward relative flux (length / time).
    std::optional<LoadCurve> normal_flux;
+   /// Outward flux of fluid and solid together (length / time).
+   std::optional<LoadCurve> mixture_flux;
    SpringCase spring;
    ForceCase force;
 

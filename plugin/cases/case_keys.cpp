@@ -174,9 +174,17 @@ KeyTable BoundaryKeys(BoundaryCase &boundary)
    keys.Value("normal_traction", boundary.normal_traction, stress,
               "total traction along the outward normal, positive in tension; "
               "in finite deformation it follows the surface");
+   keys.Value("effective_traction", boundary.effective_traction, stress,
+              "traction of the solid alone along the outward normal, to which "
+              "the fluid's pressure adds: the total one is less by the "
+              "pressure; finite deformation");
    keys.Value("normal_flux", boundary.normal_flux, "length/time",
               "outward relative flux of the fluid; in finite deformation per "
               "deformed area");
+   keys.Value("mixture_flux", boundary.mixture_flux, "length/time",
+              "outward flux of fluid and solid together, per deformed area: "
+              "the relative one is less by the solid's velocity; finite "
+              "deformation");
    keys.Table("spring", SpringKeys(boundary.spring),
               "springs between the surfaces and a fixed base");
    keys.Table("force", ForceKeys(boundary.force),

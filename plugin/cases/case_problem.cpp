@@ -347,6 +347,14 @@ void CaseProblem::SetBoundary(const BoundaryCase &boundary)
       {
          problem.AddNormalTraction(surface, *boundary.normal_traction);
       }
+      if (boundary.effective_traction)
+      {
+         problem.AddEffectiveTraction(surface, *boundary.effective_traction);
+      }
+      if (boundary.mixture_flux)
+      {
+         problem.AddMixtureFlux(surface, *boundary.mixture_flux);
+      }
       if (boundary.normal_flux)
       {
          problem.AddNormalFlux(surface, *boundary.normal_flux);

@@ -27,7 +27,7 @@ bool Moves(const std::optional<LoadCurve> &displacement)
 bool Presses(const BoundaryCase &boundary)
 {
    return boundary.traction || boundary.normal_traction ||
-          boundary.force.curve ||
+          boundary.effective_traction || boundary.force.curve ||
           std::any_of(boundary.displacement.begin(),
                       boundary.displacement.end(), Moves);
 }

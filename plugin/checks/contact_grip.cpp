@@ -96,6 +96,7 @@ void ContactGrip::AddLoads(const BoundaryCase &boundary, Loads &of_body) const
       of_body.driven[d] = of_body.driven[d] || boundary.force.Drives(d);
       of_body.loaded[d] =
          of_body.loaded[d] || of_body.driven[d] || boundary.normal_traction ||
+         boundary.effective_traction ||
          (boundary.traction && Amplitude((*boundary.traction)[d]) > 0.0);
    }
 }

@@ -139,6 +139,10 @@ real_t NormalDisplacement(const BoundaryCase &boundary,
 real_t LargestTraction(const BoundaryCase &boundary)
 {
    real_t largest = 0.0;
+   if (boundary.effective_traction)
+   {
+      largest = Amplitude(*boundary.effective_traction);
+   }
    if (boundary.normal_traction)
    {
       largest = Amplitude(*boundary.normal_traction);

@@ -48,7 +48,9 @@ LoadTimes FindLoadTimes(const CaseFile &setup)
       }
       Add(boundary.pressure, loads);
       Add(boundary.normal_traction, loads);
+      Add(boundary.effective_traction, loads);
       Add(boundary.normal_flux, loads);
+      Add(boundary.mixture_flux, loads);
       Add(boundary.force.curve, loads);
    }
    for (const RigidBodyCase &body : setup.rigid_bodies)

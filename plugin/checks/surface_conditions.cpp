@@ -20,12 +20,13 @@ void SurfaceConditions::Add(const BoundaryCase &boundary,
             conditions.moving || Amplitude(*boundary.displacement[d]) > 0.0;
       }
    }
-   conditions.loaded =
-      conditions.loaded || boundary.traction || boundary.normal_traction;
+   conditions.loaded = conditions.loaded || boundary.traction ||
+                       boundary.normal_traction || boundary.effective_traction;
    conditions.springs = conditions.springs || boundary.spring.stiffness > 0.0;
    conditions.force = conditions.force || boundary.force.curve;
    conditions.pressure = conditions.pressure || boundary.pressure;
-   conditions.flux = conditions.flux || boundary.normal_flux;
+   conditions.flux =
+      conditions.flux || boundary.normal_flux || boundary.mixture_flux;
 }
 
 SurfaceConditions::SurfaceConditions(const CaseFile &setup,

@@ -133,7 +133,7 @@ void MakeSteady(const FebInput &root, FebModel &model)
                     ToText(factor) + "; fluxes are too");
    for (const BoundaryCase &boundary : model.setup.boundaries)
    {
-      if (boundary.normal_flux)
+      if (boundary.normal_flux || boundary.mixture_flux)
       {
          root.Find("Loads")->Stop("prescribed fluxes are not known in steady "
                                   "states");
@@ -185,6 +185,7 @@ void ReadModel(const FebInput &root, FebModel &model)
       {"Boundary", ReadBoundary},
       {"Rigid", ReadRigid},
       {"Loads", ReadLoads},
+      {"Constraints", ReadConstraints},
       {"Contact", ReadContact}};
    for (const auto &[name, read] : sections)
    {

@@ -63,14 +63,15 @@ void ReadNormalTraction(const FebInput &load, BoundaryCase &boundary,
       // The fluid's pressure adds.
       const LoadCurve *pressure =
          FindPressure(load.Attribute("surface"), model);
-      if (!pressure)
+      if (pressure)
       {
-         load.Stop("effective tractions are only known where the fluid's "
-                   "pressure is prescribed at all nodes of the surface");
-         return;
+         boundary.normal_traction =
+            Difference(*boundary.normal_traction, *pressure);
       }
-      boundary.normal_traction =
-         Difference(*boundary.normal_traction, *pressure);
+      else
+      {
+         std::swap(boundary.normal_traction, boundary.effective_traction);
+      }
    }
 }
 
@@ -88,8 +89,9 @@ void ReadFluidFlux(const FebInput &load, BoundaryCase &boundary,
 {
    load.Expect("linear", false,
                "fluxes through the undeformed surface are not known");
-   load.Expect("mixture", false, "fluxes of the whole mixture are not known");
-   boundary.normal_flux = model.Value(load, "flux");
+   (load.Flag("mixture", false) ? boundary.mixture_flux
+                                : boundary.normal_flux) =
+      model.Value(load, "flux");
 }
 
 void ReadTraction(const FebInput &load, BoundaryCase &boundary,

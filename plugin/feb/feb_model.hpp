@@ -36,6 +36,7 @@ struct FebModel
 void ReadBoundary(const FebInput &section, FebModel &model);
 void ReadRigid(const FebInput &section, FebModel &model);
 void ReadLoads(const FebInput &section, FebModel &model);
+void ReadConstraints(const FebInput &section, FebModel &model);
 void ReadContact(const FebInput &section, FebModel &model);
 
 } // namespace synovia

@@ -114,6 +114,18 @@ void BoundaryConditions::AddNormalTraction(const Array<int> &boundary,
    AssembleInto(form, momentum_loads.back().load);
 }
 
+void BoundaryConditions::AddEffectiveTraction(const Array<int> &boundary,
+                                              const LoadCurve &value)
+{
+   if (deformation != Deformation::finite)
+   {
+      throw Error("an effective traction is only known in finite deformation; "
+                  "give the total one");
+   }
+   AddCorners(value);
+   followers.AddEffectiveTraction(Marker(boundary), value);
+}
+
 void BoundaryConditions::AddSprings(const Array<int> &boundary,
                                     real_t stiffness, const Vector &direction)
 {
@@ -166,6 +178,18 @@ void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
    form.AddBoundaryIntegrator(new BoundaryLFIntegrator(outflow), marker);
    mass_loads.push_back({Vector(), value});
    AssembleInto(form, mass_loads.back().load);
+}
+
+void BoundaryConditions::AddMixtureFlux(const Array<int> &boundary,
+                                        const LoadCurve &value)
+{
+   if (deformation != Deformation::finite)
+   {
+      throw Error("a flux of the mixture is only known in finite deformation; "
+                  "give the relative one");
+   }
+   AddCorners(value);
+   followers.AddMixtureFlux(Marker(boundary), value);
 }
 
 BoundaryConditions::FieldLoad &BoundaryConditions::MomentumForm()

@@ -54,6 +54,11 @@ public:
    void AddNormalTraction(const mfem::Array<int> &boundary,
                           const LoadCurve &value);
 
+   /// Traction value x n of the solid alone, to which the fluid's pressure
+   /// adds (stress). Throws Error in infinitesimal deformation.
+   void AddEffectiveTraction(const mfem::Array<int> &boundary,
+                             const LoadCurve &value);
+
    /// Springs on a fixed base, as SpringFoundation has them.
    void AddSprings(const mfem::Array<int> &boundary, mfem::real_t stiffness,
                    const mfem::Vector &direction = mfem::Vector());
@@ -75,6 +80,11 @@ public:
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
    void AddNormalFlux(const mfem::Array<int> &boundary,
                       mfem::Coefficient &value);
+
+   /// Outward flux of fluid and solid together (length / time), per deformed
+   /// area. Throws Error in infinitesimal deformation.
+   void AddMixtureFlux(const mfem::Array<int> &boundary,
+                       const LoadCurve &value);
 
    /// Body force (force / volume) and fluid source (1 / time).
    void AddBodyForce(mfem::VectorCoefficient &value);

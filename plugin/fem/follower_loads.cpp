@@ -26,7 +26,26 @@ void ForEachFace(BiphasicSpaces &spaces, const Array<int> &marker,
    }
 }
 
-void AddForces(LoadedFace &face, real_t traction, Vector &forces)
+using Traction = std::function<real_t(const LoadedFace &)>;
+
+// The same everywhere.
+Traction Uniform(real_t traction)
+{
+   return [traction](const LoadedFace &) { return traction; };
+}
+
+// At the point of a face: that of the solid, less the fluid's pressure.
+Traction Effective(real_t traction, const Vector &p)
+{
+   return [traction, &p](const LoadedFace &face)
+   {
+      Vector at_dofs;
+      p.GetSubVector(face.PressureDofs(), at_dofs);
+      return traction - at_dofs * face.PressureShape();
+   };
+}
+
+void AddForces(LoadedFace &face, const Traction &traction, Vector &forces)
 {
    const int nodes = face.Shape().Size();
    Vector local(3 * nodes);
@@ -34,9 +53,10 @@ void AddForces(LoadedFace &face, real_t traction, Vector &forces)
    for (int q = 0; q < face.Points(); q++)
    {
       face.SetPoint(q);
+      const real_t total = face.Weight() * traction(face);
       for (int a = 0; a < 3; a++)
       {
-         const real_t force = face.Weight() * traction * face.Area()[a];
+         const real_t force = total * face.Area()[a];
          for (int i = 0; i < nodes; i++)
          {
             local[a * nodes + i] += force * face.Shape()[i];
@@ -59,7 +79,7 @@ void AddInflow(LoadedFace &face, real_t flux, Vector &inflow)
    inflow.AddElementVector(face.PressureDofs(), local);
 }
 
-void SubtractForceChange(LoadedFace &face, real_t traction,
+void SubtractForceChange(LoadedFace &face, const Traction &traction,
                          LocalMatrix &stiffness)
 {
    const int nodes = face.Shape().Size();
@@ -68,6 +88,7 @@ void SubtractForceChange(LoadedFace &face, real_t traction,
    for (int q = 0; q < face.Points(); q++)
    {
       face.SetPoint(q);
+      const real_t total = face.Weight() * traction(face);
       for (int j = 0; j < nodes; j++)
       {
          const Point3 change = face.AreaChange(j);
@@ -78,7 +99,7 @@ void SubtractForceChange(LoadedFace &face, real_t traction,
             const int last = (b + 2) % 3;
             for (int i = 0; i < nodes; i++)
             {
-               const real_t force = face.Weight() * traction * face.Shape()[i];
+               const real_t force = total * face.Shape()[i];
                local(next * nodes + i, b * nodes + j) += force * change[last];
                local(last * nodes + i, b * nodes + j) -= force * change[next];
             }
@@ -86,6 +107,96 @@ void SubtractForceChange(LoadedFace &face, real_t traction,
       }
    }
    stiffness.Add(face.DisplacementDofs(), face.DisplacementDofs(), local);
+}
+
+// The force of the fluid's pressure is -int p n.w da.
+void AddPressureChange(LoadedFace &face, LocalMatrix &coupling)
+{
+   const int nodes = face.Shape().Size();
+   DenseMatrix local(face.PressureDofs().Size(), 3 * nodes);
+   local = 0.0;
+   for (int q = 0; q < face.Points(); q++)
+   {
+      face.SetPoint(q);
+      for (int a = 0; a < 3; a++)
+      {
+         const real_t area = face.Weight() * face.Area()[a];
+         for (int i = 0; i < nodes; i++)
+         {
+            for (int k = 0; k < local.Height(); k++)
+            {
+               local(k, a * nodes + i) -=
+                  area * face.Shape()[i] * face.PressureShape()[k];
+            }
+         }
+      }
+   }
+   coupling.Add(face.PressureDofs(), face.DisplacementDofs(), local);
+}
+
+// The increment of the displacement at the point of a face.
+Point3 Increment(const LoadedFace &face, const FollowerLoads::State &state)
+{
+   Vector now;
+   Vector before;
+   state.u.GetSubVector(face.DisplacementDofs(), now);
+   state.u0.GetSubVector(face.DisplacementDofs(), before);
+   now -= before;
+   const int nodes = face.Shape().Size();
+   Point3 increment{{0.0, 0.0, 0.0}};
+   for (int a = 0; a < 3; a++)
+   {
+      for (int i = 0; i < nodes; i++)
+      {
+         increment[a] += face.Shape()[i] * now[a * nodes + i];
+      }
+   }
+   return increment;
+}
+
+// The volume that the surface sweeps: of a given flux of the mixture what the
+// solid's motion doesn't carry is relative.
+void AddSweptInflow(LoadedFace &face, const FollowerLoads::State &state,
+                    Vector &inflow)
+{
+   Vector local(face.PressureDofs().Size());
+   local = 0.0;
+   for (int q = 0; q < face.Points(); q++)
+   {
+      face.SetPoint(q);
+      local.Add(face.Weight() * Dot(Increment(face, state), face.Area()) /
+                   state.dt,
+                face.PressureShape());
+   }
+   inflow.AddElementVector(face.PressureDofs(), local);
+}
+
+void SubtractSweptChange(LoadedFace &face, const FollowerLoads::State &state,
+                         LocalMatrix &flow_change)
+{
+   const int nodes = face.Shape().Size();
+   DenseMatrix local(face.PressureDofs().Size(), 3 * nodes);
+   local = 0.0;
+   for (int q = 0; q < face.Points(); q++)
+   {
+      face.SetPoint(q);
+      const Point3 increment = Increment(face, state);
+      for (int j = 0; j < nodes; j++)
+      {
+         // increment . (d x change) = d . (change x increment)
+         const Point3 turned = Cross(face.AreaChange(j), increment);
+         for (int b = 0; b < 3; b++)
+         {
+            const real_t change =
+               face.Weight() * (face.Shape()[j] * face.Area()[b] + turned[b]);
+            for (int k = 0; k < local.Height(); k++)
+            {
+               local(k, b * nodes + j) -= change * face.PressureShape()[k];
+            }
+         }
+      }
+   }
+   flow_change.Add(face.PressureDofs(), face.DisplacementDofs(), local);
 }
 
 void SubtractInflowChange(LoadedFace &face, real_t volume,
@@ -123,45 +234,78 @@ void FollowerLoads::AddTraction(const Array<int> &marker,
    tractions.push_back({marker, value});
 }
 
+void FollowerLoads::AddEffectiveTraction(const Array<int> &marker,
+                                         const LoadCurve &value)
+{
+   effective_tractions.push_back({marker, value});
+}
+
 void FollowerLoads::AddFlux(const Array<int> &marker, const LoadCurve &value)
 {
    fluxes.push_back({marker, value});
 }
 
-void FollowerLoads::AddLoads(real_t t, const Vector &u, Vector &forces,
-                             Vector &inflow) const
+void FollowerLoads::AddMixtureFlux(const Array<int> &marker,
+                                   const LoadCurve &value)
 {
-   for (const Load &load : tractions)
-   {
-      ForEachFace(spaces, load.marker, u,
-                  [&](LoadedFace &face)
-                  { AddForces(face, load.value(t), forces); });
-   }
-   for (const Load &load : fluxes)
-   {
-      ForEachFace(spaces, load.marker, u,
-                  [&](LoadedFace &face)
-                  { AddInflow(face, load.value(t), inflow); });
-   }
+   mixture_fluxes.push_back({marker, value});
 }
 
-void FollowerLoads::SubtractDerivatives(real_t t, real_t dt, const Vector &u,
-                                        LocalMatrix &stiffness,
-                                        LocalMatrix &flow_change) const
+void FollowerLoads::AddLoads(const State &state, Vector &forces,
+                             Vector &inflow) const
 {
-   for (const Load &load : tractions)
+   const auto for_all = [&](const std::vector<Load> &loads, const auto &work)
    {
-      ForEachFace(spaces, load.marker, u,
-                  [&](LoadedFace &face)
-                  { SubtractForceChange(face, load.value(t), stiffness); });
-   }
-   for (const Load &load : fluxes)
+      for (const Load &load : loads)
+      {
+         const real_t value = load.value(state.t);
+         ForEachFace(spaces, load.marker, state.u,
+                     [&](LoadedFace &face) { work(face, value); });
+      }
+   };
+   for_all(tractions, [&](LoadedFace &face, real_t value)
+           { AddForces(face, Uniform(value), forces); });
+   for_all(effective_tractions, [&](LoadedFace &face, real_t value)
+           { AddForces(face, Effective(value, state.p), forces); });
+   for_all(fluxes, [&](LoadedFace &face, real_t value)
+           { AddInflow(face, value, inflow); });
+   for_all(mixture_fluxes,
+           [&](LoadedFace &face, real_t value)
+           {
+              AddInflow(face, value, inflow);
+              AddSweptInflow(face, state, inflow);
+           });
+}
+
+void FollowerLoads::AddDerivatives(const State &state, LocalMatrix &stiffness,
+                                   LocalMatrix &coupling,
+                                   LocalMatrix &flow_change) const
+{
+   const auto for_all = [&](const std::vector<Load> &loads, const auto &work)
    {
-      ForEachFace(
-         spaces, load.marker, u,
-         [&](LoadedFace &face)
-         { SubtractInflowChange(face, dt * load.value(t), flow_change); });
-   }
+      for (const Load &load : loads)
+      {
+         const real_t value = load.value(state.t);
+         ForEachFace(spaces, load.marker, state.u,
+                     [&](LoadedFace &face) { work(face, value); });
+      }
+   };
+   for_all(tractions, [&](LoadedFace &face, real_t value)
+           { SubtractForceChange(face, Uniform(value), stiffness); });
+   for_all(effective_tractions,
+           [&](LoadedFace &face, real_t value)
+           {
+              SubtractForceChange(face, Effective(value, state.p), stiffness);
+              AddPressureChange(face, coupling);
+           });
+   for_all(fluxes, [&](LoadedFace &face, real_t value)
+           { SubtractInflowChange(face, state.dt * value, flow_change); });
+   for_all(mixture_fluxes,
+           [&](LoadedFace &face, real_t value)
+           {
+              SubtractInflowChange(face, state.dt * value, flow_change);
+              SubtractSweptChange(face, state, flow_change);
+           });
 }
 
 } // namespace synovia

@@ -14,8 +14,9 @@ namespace synovia
 ///
 ///     int t n.w da = int t (x_,1 x x_,2).w,    -int Q q da,
 ///
-/// x_,1 and x_,2 being tangents of the deformed boundary. Their derivative by
-/// the displacement is complete, and not symmetric.
+/// x_,1 and x_,2 being tangents of the deformed boundary. Their derivatives by
+/// the displacement, and by the pressure of those that depend on it, are
+/// complete, and not symmetric.
 class FollowerLoads
 {
 public:
@@ -25,22 +26,44 @@ public:
    /// Total traction along the normal (stress; tension is positive) on the
    /// boundaries of a @a marker.
    void AddTraction(const mfem::Array<int> &marker, const LoadCurve &value);
+   /// Traction of the solid alone, to which the fluid's pressure p adds: the
+   /// total one is @a value - p.
+   void AddEffectiveTraction(const mfem::Array<int> &marker,
+                             const LoadCurve &value);
    /// Outward relative flux (length / time).
    void AddFlux(const mfem::Array<int> &marker, const LoadCurve &value);
 
-   bool Any() const { return !tractions.empty() || !fluxes.empty(); }
+   /// Outward flux of fluid and solid together (length / time): the relative
+   /// one is less by the solid's velocity along the normal.
+   void AddMixtureFlux(const mfem::Array<int> &marker, const LoadCurve &value);
 
-   /// Adds the loads at time @a t of the body displaced by @a u: forces, and
-   /// the volume / time of fluid that they let in. All local dofs.
-   void AddLoads(mfem::real_t t, const mfem::Vector &u, mfem::Vector &forces,
+   bool Any() const
+   {
+      return !tractions.empty() || !effective_tractions.empty() ||
+             !fluxes.empty() || !mixture_fluxes.empty();
+   }
+
+   /// The state of a body, local dofs: time, length of the stage, displacement
+   /// at its end and at its beginning, and pressure.
+   struct State
+   {
+      mfem::real_t t;
+      mfem::real_t dt;
+      const mfem::Vector &u;
+      const mfem::Vector &u0;
+      const mfem::Vector &p;
+   };
+
+   /// Adds the loads: forces, and the volume / time of fluid that they let in.
+   void AddLoads(const State &state, mfem::Vector &forces,
                  mfem::Vector &inflow) const;
 
    /// Subtracts their derivatives by the displacement: that of the forces from
-   /// @a stiffness, and @a dt x that of the inflow from @a flow_change,
-   /// pressure x displacement.
-   void SubtractDerivatives(mfem::real_t t, mfem::real_t dt,
-                            const mfem::Vector &u, LocalMatrix &stiffness,
-                            LocalMatrix &flow_change) const;
+   /// @a stiffness, and dt x that of the inflow from @a flow_change,
+   /// pressure x displacement. Adds the transpose of the derivative of the
+   /// forces by the pressure to @a coupling, pressure x displacement.
+   void AddDerivatives(const State &state, LocalMatrix &stiffness,
+                       LocalMatrix &coupling, LocalMatrix &flow_change) const;
 
 private:
    struct Load
@@ -51,7 +74,9 @@ private:
 
    BiphasicSpaces &spaces;
    std::vector<Load> tractions;
+   std::vector<Load> effective_tractions;
    std::vector<Load> fluxes;
+   std::vector<Load> mixture_fluxes;
 };
 
 } // namespace synovia

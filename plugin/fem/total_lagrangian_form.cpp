@@ -46,7 +46,8 @@ TotalLagrangianForm::TotalLagrangianForm(
      growth(spaces.Pressure(), spaces.Displacement()),
      divergence(spaces.Pressure(), spaces.Displacement()),
      darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
-     u(spaces.Displacement().GetVSize()), p(spaces.Pressure().GetVSize())
+     u(spaces.Displacement().GetVSize()), u0(u.Size()),
+     p(spaces.Pressure().GetVSize())
 {
    matrices.symmetric = false;
    if (matrices.stabilization)
@@ -123,6 +124,13 @@ void TotalLagrangianForm::ToLocal(const BodyStage &stage) const
    p.HostRead();
 }
 
+FollowerLoads::State TotalLagrangianForm::ToLoads(const BodyStage &stage) const
+{
+   spaces.Displacement().GetProlongationMatrix()->Mult(stage.u0, u0);
+   u0.HostRead();
+   return {stage.time, stage.dt, u, u0, p};
+}
+
 void TotalLagrangianForm::GetConserved(const Vector &true_u,
                                        Vector &conserved) const
 {
@@ -182,7 +190,7 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage, Vector &momentum,
    local_mass = 0.0;
    if (loads.Any())
    {
-      loads.AddLoads(stage.time, u, local_momentum, local_mass);
+      loads.AddLoads(ToLoads(stage), local_momentum, local_mass);
       local_momentum *= -1.0;
       local_mass *= -stage.dt;
    }
@@ -322,7 +330,7 @@ real_t TotalLagrangianForm::Inflow(const BodyStage &stage) const
    Vector inflow(p.Size());
    forces = 0.0;
    inflow = 0.0;
-   loads.AddLoads(stage.time, u, forces, inflow);
+   loads.AddLoads(ToLoads(stage), forces, inflow);
    return inflow.Sum();
 }
 
@@ -459,7 +467,7 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
       LinearizeElement(e, stage.dt);
       AddTangent(e);
    }
-   loads.SubtractDerivatives(stage.time, stage.dt, u, stiffness, divergence);
+   loads.AddDerivatives(ToLoads(stage), stiffness, growth, divergence);
    matrices.stiffness = stiffness.Sum();
    AddSprings();
    matrices.divergence_transpose.reset(growth.Sum()->Transpose());

@@ -61,6 +61,8 @@ public:
 private:
    /// Sets u and p from true dofs.
    void ToLocal(const BodyStage &stage) const;
+   /// What loads are asked for at, after ToLocal().
+   FollowerLoads::State ToLoads(const BodyStage &stage) const;
    /// Brings balance to a stage.
    void Remember(const BodyStage &stage) const;
    /// Mult() without what is remembered.
@@ -108,6 +110,7 @@ private:
    ElementTangent tangent;
    /// Local dofs.
    mutable mfem::Vector u;
+   mutable mfem::Vector u0;
    mutable mfem::Vector p;
 };
 

@@ -88,11 +88,25 @@ void BiphasicProblem::AddNormalTraction(const std::string &boundary,
    conditions->AddNormalTraction(mesh.Boundary(boundary), value);
 }
 
+void BiphasicProblem::AddEffectiveTraction(const std::string &boundary,
+                                           const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->AddEffectiveTraction(mesh.Boundary(boundary), value);
+}
+
 void BiphasicProblem::AddNormalFlux(const std::string &boundary,
                                     const LoadCurve &value)
 {
    VerifyOpen();
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
+}
+
+void BiphasicProblem::AddMixtureFlux(const std::string &boundary,
+                                     const LoadCurve &value)
+{
+   VerifyOpen();
+   conditions->AddMixtureFlux(mesh.Boundary(boundary), value);
 }
 
 void BiphasicProblem::AddSprings(const std::vector<std::string> &boundaries,

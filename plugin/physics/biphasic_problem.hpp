@@ -56,6 +56,9 @@ public:
    /// Total traction along the outward normal, positive in tension (stress); in
    /// finite deformation along the current one, per current area.
    void AddNormalTraction(const std::string &boundary, const LoadCurve &value);
+   void AddMixtureFlux(const std::string &boundary, const LoadCurve &value);
+   void AddEffectiveTraction(const std::string &boundary,
+                             const LoadCurve &value);
    /// Springs on a fixed base with this total stiffness (force / length), along
    /// @a direction, of any length but zero, or alike in all directions if that
    /// is empty.

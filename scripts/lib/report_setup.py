@@ -94,6 +94,8 @@ def condition_rows(case: dict, units: Units) -> list[tuple[str, str, str]]:
         for key, what, kind in (
                 ("pressure", "fluid pressure", "pressure"),
                 ("normal_traction", "normal traction", "pressure"),
+                ("effective_traction", "effective traction", "pressure"),
+                ("mixture_flux", "flux of the mixture", "velocity"),
                 ("normal_flux", "normal flux", "velocity")):
             if key in boundary:
                 add(what, kind, curve(boundary[key]))

@@ -2,7 +2,8 @@
 """Models of FEBio from the file to the result.
 
 Requirements: a column under a small load consolidates as Terzaghi's solution
-says; a converted model gives the history of the model itself to 1e-10, on one
+says; fluid that enters where the solid is free of traction presses on it; a
+converted model gives the history of the model itself to 1e-10, on one
 rank and on two; a model with what is not known is refused before anything runs,
 with the whole list; a rigid platen that a load moves gives the displacement of
 the same traction.
@@ -137,6 +138,33 @@ def round_trip(directory: pathlib.Path) -> None:
     check(worst < 1e-7, f"two ranks give the same reaction: {worst:.1e}")
 
 
+def permeation(directory: pathlib.Path) -> None:
+    """Fluid is pressed in at the top, where the solid is free of traction."""
+    for mixture in 0, 1:
+        permeation_of(directory, mixture)
+
+
+def permeation_of(directory: pathlib.Path, mixture: int) -> None:
+    flux = LOAD * PERMEABILITY
+    name = f"permeation_{mixture}"
+    model = directory / f"{name}.feb"
+    model.write_text(FebColumn(
+        drained="bottom", steps=20, step=2000.0,
+        sections='<Loads><surface_load name="in" surface="top" '
+                 f'type="fluidflux"><flux>{-flux}</flux>'
+                 f"<mixture>{mixture}</mixture></surface_load>"
+                 '<surface_load name="free" surface="top" '
+                 'type="normal_traction"><traction>0</traction>'
+                 "<effective>1</effective></surface_load></Loads>").text())
+    last = run(model, directory / name)[-1]
+    # The pressure at the top is flux / permeability, and the total traction
+    # there its negative, which the support bears.
+    check(abs(last["fluid.peak_pressure"] - LOAD) < 1e-3 * LOAD,
+          f"pressure {last['fluid.peak_pressure']:.4e} drives the flow")
+    check(abs(last["reaction.bottom.z"] - last["fluid.peak_pressure"])
+          < 1e-6 * LOAD, "the fluid presses on the solid's surface")
+
+
 def refusal(directory: pathlib.Path) -> None:
     model = directory / "refused.feb"
     model.write_text(FebColumn(
@@ -163,6 +191,7 @@ def main() -> None:
         directory = pathlib.Path(name)
         consolidation(directory)
         round_trip(directory)
+        permeation(directory)
         refusal(directory)
     finish()
 

@@ -24,7 +24,7 @@ def text_of(numbers) -> str:
 
 @dataclass
 class FebColumn:
-    """A column of height 1 on a support, drained at its top."""
+    """A column of height 1 on a support, drained at its top unless said."""
 
     layers: int = 10
     steps: int = 10
@@ -35,6 +35,7 @@ class FebColumn:
     permeability: str = ('<permeability type="perm-const-iso">'
                          "<perm>0.001</perm></permeability>")
     materials: str = ""
+    drained: str = "top_nodes"
     boundary: str = ""
     sections: str = ""
     curves: list[str] = field(default_factory=list)
@@ -87,7 +88,7 @@ class FebColumn:
 <x_dof>1</x_dof><y_dof>1</y_dof></bc>
 <bc name="support" node_set="bottom" type="zero displacement">
 <z_dof>1</z_dof></bc>
-<bc name="drained" node_set="top_nodes" type="zero fluid pressure"/>
+<bc name="drained" node_set="{self.drained}" type="zero fluid pressure"/>
 {self.boundary}
 </Boundary>
 {self.sections}

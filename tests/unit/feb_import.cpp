@@ -255,6 +255,41 @@ TEST_CASE("What is not known in a model stops its import, with line and path")
          std::string::npos);
 }
 
+TEST_CASE("A symmetry plane holds the displacement across it")
+{
+   const std::string plane = R"(<Constraints>
+		<constraint name="c" type="symmetry plane" surface="side">
+			<laugon>1</laugon><tol>1e-6</tol><rhs>0</rhs>
+		</constraint>
+	</Constraints>
+	<Loads>)";
+   const auto with = [&](const std::string &facet)
+   {
+      return ImportFeb(Replaced(Replaced(FebColumn(), "<Loads>", plane),
+                                "<Surface name",
+                                "<Surface name=\"side\"><quad4 id=\"1\">" +
+                                   facet + "</quad4></Surface><Surface name"),
+                       "model.feb");
+   };
+   const FebImport import = with("1,2,6,5");
+   CHECK_FALSE(import.report.IsStopped());
+   const BoundaryCase &held = import.setup.boundaries.back();
+   CHECK(held.surfaces == std::vector<std::string>{"side"});
+   CHECK_FALSE(held.displacement[0].has_value());
+   CHECK(held.displacement[1].has_value());
+   CHECK_FALSE(held.displacement[2].has_value());
+   const FebImport moved = ImportFeb(
+      Replaced(Replaced(Replaced(FebColumn(), "<Loads>", plane),
+                        "<Surface name",
+                        "<Surface name=\"side\"><quad4 id=\"1\">1,2,6,5"
+                        "</quad4></Surface><Surface name"),
+               "1,0,1</node>", "1,0.5,1</node>"),
+      "model.feb");
+   CHECK(moved.report.Text(Fate::unsupported)
+            .find("the surface must be a plane across x, y or z") !=
+         std::string::npos);
+}
+
 TEST_CASE("Fluid takes no time in a steady state")
 {
    const FebImport import = ImportFeb(
@@ -274,7 +309,7 @@ TEST_CASE("All that stops an import is listed")
 {
    std::string text = Replaced(FebColumn(), "<E>2", "<E>two");
    text = Replaced(text, "zero fluid pressure", "zero temperature");
-   text = Replaced(text, "<effective>0", "<effective>1");
+   text = Replaced(text, "<linear>0", "<linear>1");
    const FebImport import = ImportFeb(text, "model.feb");
    const std::string stops = import.report.Text(Fate::unsupported);
    CHECK(std::count(stops.begin(), stops.end(), '\n') == 3);

@@ -62,6 +62,8 @@ public:
       conditions.AddNormalTraction(mesh.Boundary("z1"), Ramp(1.0, -0.7));
       conditions.AddNormalTraction(mesh.Boundary("x0"), 0.4);
       conditions.AddNormalFlux(mesh.Boundary("y1"), 0.3);
+      conditions.AddEffectiveTraction(mesh.Boundary("y1"), 0.6);
+      conditions.AddMixtureFlux(mesh.Boundary("z1"), 0.2);
       form = std::make_unique<TotalLagrangianForm>(
          mesh, spaces, materials, conditions.Springs(), conditions.Followers());
 
