@@ -30,6 +30,9 @@ LIGHT = {
     "indentation_finite.toml":
         'boundary.indenter_top.displacement=["free", "free", '
         '{times = [0, 500], values = [0, -0.0075]}]',
+    "knee_finite.toml":
+        "boundary.femoral_cartilage_bone.displacement=[0, 0, "
+        "{times = [0, 60], values = [0, -0.048]}]",
     "glenohumeral_finite.toml":
         "boundary.humeral_bone.displacement=[0, 0, "
         "{times = [0, 10], values = [0, -0.02]}]"}

@@ -123,11 +123,14 @@ def main() -> None:
         check_contact(rows)
         check_supports(rows)
 
-        case = (MPIEXEC, "-n", "2", PROGRAMS / "synovia",
-                SOURCE / "miniapps" / "cases" / "knee.toml", "--output",
-                directory / "case", "--set", f'mesh.file="{mesh}"')
-        check("warning" not in run_program(*case, "--check"),
-              "nothing is wrong with the case, springs hold the menisci")
+        case, finite = (
+            (MPIEXEC, "-n", "2", PROGRAMS / "synovia",
+             SOURCE / "miniapps" / "cases" / f"{name}.toml", "--output",
+             directory / "case", "--set", f'mesh.file="{mesh}"')
+            for name in ("knee", "knee_finite"))
+        for one in (case, finite):
+            check("warning" not in run_program(*one, "--check"),
+                  "nothing is wrong with the case, springs hold the menisci")
         run_program(*case, "--set", "time.step=10", "--set", "time.end=20")
         same = history(directory / "case")[-1]
         difference = abs(same[REACTION] / rows[1][REACTION] - 1)
