@@ -1,6 +1,8 @@
 #include "synovia/cases/case_checks.hpp"
 #include "synovia/cases/key_names.hpp"
 #include "synovia/cases/law_checks.hpp"
+#include "synovia/cases/name_checks.hpp"
+#include "synovia/cases/step_checks.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
@@ -17,61 +19,6 @@ namespace
 {
 // More steps than anybody waits for: a slip of the pen in step or end.
 constexpr real_t most_steps = 1e7;
-// Names of pairs and lines become parts of file names.
-constexpr size_t longest_name = 100;
-
-/// Adds an error for the second of two entries with the same name.
-class Once
-{
-public:
-   explicit Once(CaseReading &reading_) : reading(reading_) {}
-
-   void Enter(const std::string &name, const std::string &path,
-              const std::string &problem)
-   {
-      const auto [first, fresh] = paths.emplace(name, path);
-      reading.Require(fresh, path,
-                      problem + " (" +
-                         WhereIs(reading.Places(), first->second) + ")");
-   }
-
-private:
-   CaseReading &reading;
-   std::map<std::string, std::string> paths;
-};
-
-std::set<std::string> Distinct(const std::vector<std::string> &names)
-{
-   return std::set<std::string>(names.begin(), names.end());
-}
-
-void CheckNames(const std::vector<std::string> &names, const std::string &path,
-                const std::string &kind, CaseReading &reading)
-{
-   reading.Require(!names.empty(), path,
-                   "no " + kind + " is named; name at least one");
-   std::set<std::string> seen;
-   for (size_t i = 0; i < names.size(); i++)
-   {
-      reading.Require(!names[i].empty(), EntryPath(path, i),
-                      "the name is empty");
-      reading.Require(seen.insert(names[i]).second, EntryPath(path, i),
-                      Quoted(names[i]) + " is named twice");
-   }
-}
-
-// For parts of file names and of the history's columns.
-void CheckFileName(const std::string &name, const std::string &path,
-                   CaseReading &reading)
-{
-   reading.Require(name.find_first_of("/\\,\"'") == std::string::npos &&
-                      name[0] != '.' && name.size() <= longest_name,
-                   path,
-                   "found the name " + Quoted(name) +
-                      "; it must have at most " + std::to_string(longest_name) +
-                      " letters, no slash, comma or quote, and no dot in "
-                      "front");
-}
 
 // The position of an axis must be given once.
 void CheckAxis(const FrameCase &frame, const std::string &path,
@@ -199,6 +146,8 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
          boundary.normal_traction || boundary.effective_traction ||
          boundary.normal_flux || boundary.mixture_flux || written,
       path, "nothing is prescribed here; give one of " + JoinedNames(keys));
+   reading.Require(!boundary.relative || u[0] || u[1] || u[2],
+                   path + ".relative", "no displacement is prescribed here");
    reading.Require(stiff || !boundary.spring.IsDirected(), path + ".spring",
                    "there is a direction, but no stiffness");
    reading.Require(force.curve || !force.IsDirected(), path + ".force",
@@ -287,8 +236,14 @@ void CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
                            " is moved already; tie it to one rigid body, or "
                            "prescribe its displacement or force");
       }
+      const RigidBodyOptions options = body.Options();
+      reading.Require(
+         !body.relative ||
+            std::any_of(options.prescribed.begin(), options.prescribed.end(),
+                        [](const auto &curve) { return curve.has_value(); }),
+         path + ".relative", "no freedom is prescribed here");
       const std::string problem =
-         Contradiction(body.Options(), setup.space.deformation);
+         Contradiction(options, setup.space.deformation);
       reading.Require(problem.empty(), path, problem);
    }
 }
@@ -380,7 +335,7 @@ void CheckTimes(const CaseFile &setup, CaseReading &reading)
    const TimeOptions &time = setup.time;
    const real_t steps =
       time.end > 0.0 && time.step > 0.0 ? time.end / time.step : 0.0;
-   reading.Require(steps <= most_steps, "time.step",
+   reading.Require(steps <= most_steps || !setup.steps.empty(), "time.step",
                    "the end time of " + ToText(time.end) + " would take " +
                       ToText(steps) + " steps; that is too many");
    reading.Require(!(time.min_step > time.step), "time.min_step",
@@ -391,6 +346,20 @@ void CheckTimes(const CaseFile &setup, CaseReading &reading)
       !(time.max_step > 0.0 && time.max_step < time.step), "time.max_step",
       "found " + ToText(time.max_step) +
          "; it must be at least the time step, " + ToText(time.step));
+}
+
+void CheckBoundaryNames(const CaseFile &setup, CaseReading &reading)
+{
+   Once names(reading);
+   for (size_t i = 0; i < setup.boundaries.size(); i++)
+   {
+      const std::string &name = setup.boundaries[i].name;
+      if (!name.empty())
+      {
+         names.Enter(name, EntryPath("boundary", i, "name"),
+                     "a boundary is called " + Quoted(name) + " already");
+      }
+   }
 }
 
 void CheckOutput(const CaseFile &setup, CaseReading &reading)
@@ -437,14 +406,21 @@ void CheckMesh(const MeshCase &mesh, CaseReading &reading)
 }
 } // namespace
 
+void CheckConditions(const CaseFile &setup, CaseReading &reading)
+{
+   CheckBoundaries(setup, reading);
+   CheckRigidBodies(setup, reading);
+   CheckContacts(setup, reading);
+}
+
 void CheckConsistency(const CaseFile &setup, CaseReading &reading)
 {
    CheckMesh(setup.mesh, reading);
    CheckMaterials(setup, reading);
-   CheckBoundaries(setup, reading);
-   CheckRigidBodies(setup, reading);
-   CheckContacts(setup, reading);
+   CheckBoundaryNames(setup, reading);
+   CheckConditions(setup, reading);
    CheckTimes(setup, reading);
+   CheckSteps(setup, reading);
    CheckOutput(setup, reading);
 }
 

@@ -9,4 +9,7 @@ namespace synovia
 /// are checked with the keys.
 void CheckConsistency(const CaseFile &setup, CaseReading &reading);
 
+/// Adds those among boundaries, rigid bodies and contact pairs.
+void CheckConditions(const CaseFile &setup, CaseReading &reading);
+
 } // namespace synovia

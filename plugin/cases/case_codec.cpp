@@ -194,6 +194,10 @@ TomlText TextOf(const bool &value)
 {
    return value ? "true" : "false";
 }
+TomlText TextOf(const std::optional<bool> &value)
+{
+   return value ? TextOf(*value) : TomlText();
+}
 TomlText TextOf(const int &value)
 {
    return std::to_string(value);
@@ -263,6 +267,16 @@ void ReadValue(const CaseInput &from, bool &value)
       return;
    }
    value = from->boolean;
+}
+
+void ReadValue(const CaseInput &from, std::optional<bool> &value)
+{
+   bool given = false;
+   ReadValue(from, given);
+   if (!from.HasError())
+   {
+      value = given;
+   }
 }
 
 void ReadValue(const CaseInput &from, int &value)

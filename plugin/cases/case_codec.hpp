@@ -24,6 +24,8 @@ inline constexpr const char *type_name = nullptr;
 template <>
 inline constexpr const char *type_name<bool> = "boolean";
 template <>
+inline constexpr const char *type_name<std::optional<bool>> = "boolean";
+template <>
 inline constexpr const char *type_name<int> = "integer";
 template <>
 inline constexpr const char *type_name<long long> = "integer";
@@ -53,6 +55,7 @@ inline constexpr const char *type_name<MeshGenerator> = "list of strings";
 using TomlText = std::optional<std::string>;
 
 TomlText TextOf(const bool &value);
+TomlText TextOf(const std::optional<bool> &value);
 TomlText TextOf(const int &value);
 TomlText TextOf(const long long &value);
 TomlText TextOf(const mfem::real_t &value);
@@ -68,6 +71,7 @@ TomlText TextOf(const MeshGenerator &value);
 
 /// Reads a value; one of another type is an error, and the value stays.
 void ReadValue(const CaseInput &from, bool &value);
+void ReadValue(const CaseInput &from, std::optional<bool> &value);
 void ReadValue(const CaseInput &from, int &value);
 void ReadValue(const CaseInput &from, long long &value);
 void ReadValue(const CaseInput &from, mfem::real_t &value);

@@ -1,6 +1,7 @@
 #include "synovia/cases/case_file.hpp"
 #include "synovia/cases/case_checks.hpp"
 #include "synovia/cases/case_keys.hpp"
+#include "synovia/cases/case_steps.hpp"
 #include "synovia/general/root_rank.hpp"
 
 #include <cerrno>
@@ -45,6 +46,10 @@ RigidBodyOptions RigidBodyCase::Options() const
    RigidBodyOptions options;
    options.reference = reference;
    options.load_follows = load_follows;
+   if (relative)
+   {
+      options.relative_since = begin;
+   }
    for (int d = 0; d < 3; d++)
    {
       options.prescribed[d] = translation[d];
@@ -158,7 +163,15 @@ CaseFile ParseCase(const std::string &text, const std::string &source,
    CaseFile setup;
    CaseReading reading;
    reading.SetPlace("", root.place);
+   // Whether there are steps decides what is required.
+   const CaseValue *steps = root.Find("step");
+   setup.steps.resize(steps ? steps->items.size() : 0);
    CaseKeys(setup).Read(CaseInput(root, "", reading));
+   const mfem::real_t end = EndOfSteps(setup.steps);
+   if (end > 0.0 && reading.Places().count("time.end") == 0)
+   {
+      setup.time.end = end;
+   }
    Check(setup, reading);
    setup.places = reading.Places();
    ResolveMeshFile(setup, source);

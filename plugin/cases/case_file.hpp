@@ -132,7 +132,14 @@ struct ForceCase
 
 struct BoundaryCase
 {
+   /// By which steps change or release it; may be empty.
+   std::string name{};
    std::vector<std::string> surfaces;
+   /// Whether the displacement counts from what it is when the step begins that
+   /// prescribes it; without effect outside of steps.
+   bool relative = false;
+   /// When that step begins, as CasesOfSteps() has it.
+   mfem::real_t begin = 0.0;
    /// By component (length); none: free.
    std::array<std::optional<LoadCurve>, 3> displacement;
    /// Fluid pressure (stress).
@@ -164,6 +171,9 @@ struct RigidBodyCase
    /// Center of moments and of the translation; none: the surfaces' center of
    /// area.
    std::optional<std::array<mfem::real_t, 3>> reference;
+   /// As BoundaryCase has them.
+   bool relative = false;
+   mfem::real_t begin = 0.0;
    /// Prescribed, by component (length, rad); none: free.
    std::array<std::optional<LoadCurve>, 3> translation;
    std::array<std::optional<LoadCurve>, 3> rotation;
@@ -189,6 +199,27 @@ struct ContactCase
    ContactOptions options;
 
    std::string Name() const;
+};
+
+/// A part of a run. What it prescribes holds until a later step prescribes it
+/// otherwise or releases it; times of its curves count from its beginning.
+struct StepCase
+{
+   std::string name;
+   mfem::real_t duration = 0.0;
+   /// Time steps; 0, or none: those of the case.
+   mfem::real_t step = 0.0;
+   std::optional<bool> adaptive{};
+   mfem::real_t min_step = 0.0;
+   mfem::real_t max_step = 0.0;
+   /// Names of boundaries and contact pairs that end when it begins.
+   std::vector<std::string> release{};
+   /// Each in place of what has its name, as a whole; without surfaces: on
+   /// those of that.
+   std::vector<BoundaryCase> boundaries{};
+   /// Of bodies that there are.
+   std::vector<RigidBodyCase> rigid_bodies{};
+   std::vector<ContactCase> contacts{};
 };
 
 struct LineCase
@@ -217,7 +248,9 @@ struct CaseFile
    std::vector<BoundaryCase> boundaries;
    std::vector<RigidBodyCase> rigid_bodies;
    std::vector<ContactCase> contacts;
+   /// Its end is that of the last step, if there are steps.
    TimeOptions time;
+   std::vector<StepCase> steps;
    NonlinearOptions solver;
    OutputCase output;
 

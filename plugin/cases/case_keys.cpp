@@ -1,4 +1,5 @@
 #include "synovia/cases/case_keys.hpp"
+#include "synovia/cases/condition_keys.hpp"
 #include "synovia/cases/law_keys.hpp"
 #include "synovia/cases/tuning_keys.hpp"
 
@@ -15,7 +16,6 @@ constexpr int highest_order = 8;
 constexpr int most_points = 100000;
 
 const char *const length = "length";
-const char *const stress = "stress";
 const char *const time_unit = "time";
 
 KeyTable MeshKeys(MeshCase &mesh)
@@ -138,163 +138,13 @@ KeyTable MaterialKeys(MaterialCase &material)
    return keys;
 }
 
-KeyTable SpringKeys(SpringCase &spring)
+KeyTable TimeKeys(TimeOptions &time, bool has_steps)
 {
    KeyTable keys;
-   keys
-      .Value("stiffness", spring.stiffness, "force/length",
-             "of all springs together, spread over the surfaces; 0 for none")
-      .AtLeast(0.0);
-   keys.Value("direction", spring.direction, "",
-              "of the springs; [0, 0, 0] for alike in all directions");
-   return keys;
-}
-
-KeyTable ForceKeys(ForceCase &force)
-{
-   KeyTable keys;
-   keys.Value("direction", force.direction, "",
-              "of the resultant; components of the displacement that are zero "
-              "here are free, or as displacement says");
-   keys.Value("curve", force.curve, "force", "the resultant in time");
-   return keys;
-}
-
-KeyTable BoundaryKeys(BoundaryCase &boundary)
-{
-   KeyTable keys;
-   keys.Value("surfaces", boundary.surfaces, "", "where: physical surfaces")
-      .Required();
-   keys.Value("displacement", boundary.displacement, length,
-              "prescribed, by component");
-   keys.Value("pressure", boundary.pressure, stress,
-              "prescribed fluid pressure; impermeable if there is none");
-   keys.Value("traction", boundary.traction, stress,
-              "total traction, by component");
-   keys.Value("normal_traction", boundary.normal_traction, stress,
-              "total traction along the outward normal, positive in tension; "
-              "in finite deformation it follows the surface");
-   keys.Value("effective_traction", boundary.effective_traction, stress,
-              "traction of the solid alone along the outward normal, to which "
-              "the fluid's pressure adds: the total one is less by the "
-              "pressure; finite deformation");
-   keys.Value("normal_flux", boundary.normal_flux, "length/time",
-              "outward relative flux of the fluid; in finite deformation per "
-              "deformed area");
-   keys.Value("mixture_flux", boundary.mixture_flux, "length/time",
-              "outward flux of fluid and solid together, per deformed area: "
-              "the relative one is less by the solid's velocity; finite "
-              "deformation");
-   keys.Table("spring", SpringKeys(boundary.spring),
-              "springs between the surfaces and a fixed base");
-   keys.Table("force", ForceKeys(boundary.force),
-              "moves the surfaces rigidly, as one, by a resultant");
-   return keys;
-}
-
-KeyTable RigidBodyKeys(RigidBodyCase &body)
-{
-   KeyTable keys;
-   keys.Value("name", body.name, "", "of the body in the output").Required();
-   keys
-      .Value("surfaces", body.surfaces, "",
-             "what is tied to it: physical surfaces")
-      .Required();
-   keys.Value("reference", body.reference, length,
-              "the point that the translation and moments are of; the "
-              "surfaces' center of area if left out");
-   keys.Value("translation", body.translation, length,
-              "prescribed, by component; free if left out");
-   keys.Value("rotation", body.rotation, "rad",
-              "prescribed, by component of the rotation vector, which is along "
-              "the axis and as long as the angle; free if left out");
-   keys.Value("force", body.force, "force",
-              "at the reference point, by component, on free ones");
-   keys.Value("moment", body.moment, "force length",
-              "about the reference point, by component, on free ones");
-   keys.Value("load_follows", body.load_follows, "",
-              "whether force and moment turn with the body, in finite "
-              "deformation");
-   keys.Value("stiffness", body.stiffness, "force/length",
-              "of springs between the reference point and where it was, by "
-              "component, on free ones");
-   keys.Value("rotational_stiffness", body.rotational_stiffness,
-              "force length/rad",
-              "of springs that resist rotation, by component, on free ones");
-   return keys;
-}
-
-KeyTable ContactKeys(ContactCase &contact)
-{
-   ContactOptions &options = contact.options;
-   KeyTable keys;
-   keys.Value("name", contact.name, "",
-              "of the pair in the output; made of source and destination if "
-              "left out");
-   keys.Value("source", contact.source, "", "physical surfaces of one side")
-      .Required();
-   keys
-      .Value("destination", contact.destination, "",
-             "physical surfaces of the other side, which carries the contact "
-             "traction: the finer one")
-      .Required();
-   keys.Auto("penalty", options.penalty, "stress/length",
-             "of the gap; derived from the softer side");
-   keys.Auto("pressure_penalty", options.pressure_penalty,
-             "length/(stress time)",
-             "of the pressure jump; derived from the less permeable side");
-   keys
-      .Value("penalty_factor", options.penalty_factor, "",
-             "factor of both derived penalties")
-      .Positive()
-      .Named("penalty_factor");
-   keys.Auto("gap_tolerance", options.gap_tolerance, length,
-             "largest gap left in contact; 1e-5 of the destination's "
-             "thickness");
-   keys
-      .Value("pressure_tolerance", options.pressure_tolerance, "",
-             "largest pressure jump left in contact, of the peak pressure")
-      .Positive();
-   keys.Auto("search_radius", options.search_radius, length,
-             "how far the destination looks for the source; the destination's "
-             "thickness");
-   keys.Word<InitialOverlap>("initial_overlap", options.initial_overlap,
-                             {{"press_out", InitialOverlap::press_out},
-                              {"remove", InitialOverlap::remove}},
-                             "what becomes of surfaces that overlap as meshed: "
-                             "the first step presses it out, or gaps are "
-                             "measured from it");
-   keys.Auto("overlap_limit", options.overlap_limit, length,
-             "a deeper overlap is an error; a tenth of the destination's "
-             "thickness");
-   keys.Word<SearchConfiguration>(
-      "configuration", options.configuration,
-      {{"reference", SearchConfiguration::reference},
-       {"current", SearchConfiguration::current}},
-      "where the surfaces look for each other: as meshed, once, or as "
-      "deformed, in every step, for large sliding");
-   keys.Word<ContactNormal>(
-      "normal", options.normal,
-      {{"destination", ContactNormal::destination},
-       {"mean", ContactNormal::mean}},
-      "the direction of gap and traction: the destination's normal, or the "
-      "mean of both surfaces'");
-   keys
-      .Value(
-         "quadrature_order", options.quadrature_order, "",
-         "exactness of the quadrature on the part of a face that one face of "
-         "the source covers; not 3")
-      .From(1, 25);
-   return keys;
-}
-
-KeyTable TimeKeys(TimeOptions &time)
-{
-   KeyTable keys;
-   keys.Value("end", time.end, time_unit, "when the run ends")
-      .Required()
-      .Positive()
-      .Named("the end time");
+   CaseKey &end = keys.Value("end", time.end, time_unit,
+                             "when the run ends; with steps, when they do");
+   end.Positive().Named("the end time");
+   end.required = !has_steps;
    keys.Value("step", time.step, time_unit, "length of the steps")
       .Required()
       .Positive()
@@ -316,6 +166,37 @@ KeyTable TimeKeys(TimeOptions &time)
    keys.Value("stops", time.stops, time_unit,
               "times at which a step shall end, besides the points of curves; "
               "they matter between 0 and the end");
+   return keys;
+}
+
+KeyTable StepKeys(StepCase &step)
+{
+   KeyTable keys;
+   keys.Value("name", step.name, "", "of the step in log and checkpoints")
+      .Required();
+   keys.Value("duration", step.duration, time_unit, "how long it lasts")
+      .Required()
+      .Positive()
+      .Named("the duration");
+   keys.Auto("step", step.step, time_unit,
+             "length of its time steps; as time.step");
+   keys.Value("adaptive", step.adaptive, "",
+              "whether their length follows from the error; as time.adaptive "
+              "if left out");
+   keys.Auto("min_step", step.min_step, time_unit,
+             "length below which none is cut; as time.min_step, or a "
+             "thousandth of its own step");
+   keys.Auto("max_step", step.max_step, time_unit,
+             "longest adaptive one; a tenth of the duration, or step if that "
+             "is longer");
+   keys.Value("release", step.release, "",
+              "names of boundaries and contact pairs that end when it begins");
+   keys.List<BoundaryCase>("boundary", step.boundaries, StepBoundaryKeys,
+                           "from this step on; times count from its beginning");
+   keys.List<RigidBodyCase>("rigid_body", step.rigid_bodies, StepRigidBodyKeys,
+                            "how bodies move from this step on");
+   keys.List<ContactCase>("contact", step.contacts, ContactKeys,
+                          "from this step on");
    return keys;
 }
 
@@ -418,7 +299,9 @@ KeyTable CaseKeys(CaseFile &setup)
       "rigid_body", setup.rigid_bodies, RigidBodyKeys,
       "moves what is tied to it as one, by translations and rotations");
    keys.List<ContactCase>("contact", setup.contacts, ContactKeys, "");
-   keys.Table("time", TimeKeys(setup.time), "");
+   keys.Table("time", TimeKeys(setup.time, !setup.steps.empty()), "");
+   keys.List<StepCase>("step", setup.steps, StepKeys,
+                       "parts of the run, one after the other");
    keys.Table("solver", SolverKeys(setup.solver), "");
    keys.Table("output", OutputKeys(setup.output), "");
    return keys;

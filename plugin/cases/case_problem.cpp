@@ -326,7 +326,12 @@ void CaseProblem::SetBoundary(const BoundaryCase &boundary)
    {
       for (int d = 0; d < 3; d++)
       {
-         if (boundary.displacement[d])
+         if (boundary.displacement[d] && boundary.relative)
+         {
+            problem.PrescribeIncrement(surface, d, *boundary.displacement[d],
+                                       boundary.begin);
+         }
+         else if (boundary.displacement[d])
          {
             problem.PrescribeDisplacement(surface, d,
                                           *boundary.displacement[d]);

@@ -48,8 +48,15 @@ void CaseReading::SetPlace(const std::string &path, const CasePlace &place)
 
 void CaseReading::AddError(const std::string &path, const std::string &problem)
 {
-   const CasePlace place = Nearest(places, path);
-   errors.push_back({place, path, Prefixed(place, path) + ": " + problem});
+   errors.push_back({Nearest(places, path), path, problem});
+}
+
+void CaseReading::Append(const CaseReading &other, const std::string &context)
+{
+   for (const CaseError &error : other.errors)
+   {
+      errors.push_back({error.place, error.path, context + error.problem});
+   }
 }
 
 void CaseReading::Require(bool good, const std::string &path,
@@ -84,7 +91,9 @@ void CaseReading::ThrowIfAny() const
    std::string text;
    for (size_t i = 0; i < std::min(sorted.size(), most_errors); i++)
    {
-      text += (i > 0 ? "\n  " : "") + sorted[i].text;
+      text += (i > 0 ? "\n  " : "") +
+              Prefixed(sorted[i].place, sorted[i].path) + ": " +
+              sorted[i].problem;
    }
    if (sorted.size() > most_errors)
    {

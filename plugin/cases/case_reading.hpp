@@ -31,6 +31,8 @@ public:
    void AddError(const std::string &path, const std::string &problem);
    /// Adds the error unless it is @a good, or the path has an error already.
    void Require(bool good, const std::string &path, const std::string &problem);
+   /// Adds the errors of another reading, with @a context before each.
+   void Append(const CaseReading &other, const std::string &context);
    /// Whether there is an error at this path.
    bool HasError(const std::string &path) const;
    size_t Count() const { return errors.size(); }
@@ -57,7 +59,7 @@ private:
    {
       CasePlace place;
       std::string path;
-      std::string text;
+      std::string problem;
    };
 
    CasePlaces places;

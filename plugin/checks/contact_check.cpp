@@ -57,9 +57,15 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
               });
    }
    reading.ThrowIfAny();
-   const Vector u = MakeFirstApproach(FindBodies(mesh, spaces), spaces,
-                                      problem.Get().Conditions(), borrowed)
-                       .displacement;
+   Vector u;
+   reading.Catch(setup.rigid_bodies.empty() ? "boundary" : "rigid_body",
+                 [&]()
+                 {
+                    u = MakeFirstApproach(FindBodies(mesh, spaces), spaces,
+                                          problem.Get().Conditions(), borrowed)
+                           .displacement;
+                 });
+   reading.ThrowIfAny();
    Vector p(spaces.Pressure().GetTrueVSize());
    p = 0.0;
    for (size_t i = 0; i < pairs.size(); i++)

@@ -62,6 +62,21 @@ void BoundaryConditions::PrescribeDisplacement(const Array<int> &boundary,
    AddCorners(value);
 }
 
+void BoundaryConditions::PrescribeIncrement(const Array<int> &boundary,
+                                            int component,
+                                            const LoadCurve &value,
+                                            real_t since)
+{
+   MFEM_VERIFY(component >= 0 && component < 3,
+               "a displacement has the components 0, 1 and 2");
+   const Array<int> dofs =
+      Dofs(spaces.Displacement(), boundary, component, u_dofs);
+   Vector origin(dofs.Size());
+   origin = 0.0;
+   increments.push_back({dofs, value, since, origin});
+   AddCorners(value);
+}
+
 void BoundaryConditions::PrescribeDisplacement(const Array<int> &boundary,
                                                VectorCoefficient &value)
 {
@@ -247,11 +262,52 @@ void BoundaryConditions::AddFluidSource(Coefficient &value)
    load.scalars.push_back(&value);
 }
 
+void BoundaryConditions::SetOrigins(real_t t, const Vector &u)
+{
+   for (Increment &increment : increments)
+   {
+      if (increment.since == t)
+      {
+         u.GetSubVector(increment.dofs, increment.origin);
+      }
+   }
+}
+
+void BoundaryConditions::Archive(StateArchive &archive)
+{
+   if (increments.empty())
+   {
+      return;
+   }
+   Vector origins(spaces.Displacement().GetTrueVSize());
+   origins = 0.0;
+   for (const Increment &increment : increments)
+   {
+      origins.SetSubVector(increment.dofs, increment.origin);
+   }
+   archive.Field("origin.displacement", spaces.Displacement(), origins);
+   if (archive.Reads())
+   {
+      for (Increment &increment : increments)
+      {
+         origins.GetSubVector(increment.dofs, increment.origin);
+      }
+   }
+}
+
 void BoundaryConditions::SetDisplacement(real_t t, Vector &u)
 {
    for (const CurveValue &value : u_values)
    {
       u.SetSubVector(value.dofs, value.curve(t));
+   }
+   for (const Increment &increment : increments)
+   {
+      const real_t value = increment.curve(t);
+      for (int i = 0; i < increment.dofs.Size(); i++)
+      {
+         u[increment.dofs[i]] = increment.origin[i] + value;
+      }
    }
    for (FieldValue &value : u_fields)
    {

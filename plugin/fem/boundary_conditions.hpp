@@ -6,6 +6,7 @@
 #include "synovia/fem/rigid_surfaces.hpp"
 #include "synovia/fem/spring_foundation.hpp"
 #include "synovia/general/load_curve.hpp"
+#include "synovia/general/state_archive.hpp"
 #include "synovia/materials/deformation.hpp"
 
 #include <memory>
@@ -34,6 +35,10 @@ public:
    /// One component (0, 1, 2) of the displacement (length).
    void PrescribeDisplacement(const mfem::Array<int> &boundary, int component,
                               const LoadCurve &value);
+   /// How far the displacement is from what it is at the time @a since, when
+   /// SetOrigins() is called; from 0 until then.
+   void PrescribeIncrement(const mfem::Array<int> &boundary, int component,
+                           const LoadCurve &value, mfem::real_t since);
    /// All components, varying in space and time.
    void PrescribeDisplacement(const mfem::Array<int> &boundary,
                               mfem::VectorCoefficient &value);
@@ -94,6 +99,12 @@ public:
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
    const mfem::Array<int> &PressureDofs() const { return p_dofs; }
 
+   /// Lets the increments that are prescribed since time @a t count from the
+   /// displacement @a u, true dofs.
+   void SetOrigins(mfem::real_t t, const mfem::Vector &u);
+   /// Lists what increments count from, if there are any. Collective.
+   void Archive(StateArchive &archive);
+
    /// Writes the prescribed values at time @a t into true-dof vectors.
    void SetDisplacement(mfem::real_t t, mfem::Vector &u);
    void SetPressure(mfem::real_t t, mfem::Vector &p);
@@ -120,6 +131,14 @@ private:
    {
       mfem::Array<int> dofs;
       LoadCurve curve;
+   };
+   /// Of displacements, which count from those of its dofs at a time.
+   struct Increment
+   {
+      mfem::Array<int> dofs;
+      LoadCurve curve;
+      mfem::real_t since;
+      mfem::Vector origin;
    };
    struct CurveLoad
    {
@@ -159,6 +178,7 @@ private:
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    std::vector<CurveValue> u_values;
+   std::vector<Increment> increments;
    std::vector<CurveValue> p_values;
    std::vector<FieldValue> u_fields;
    std::vector<FieldValue> p_fields;

@@ -36,6 +36,9 @@ struct RigidBodyOptions
    /// Prescribed (length, rad). None: the freedom is free, for its load and its
    /// spring.
    std::array<std::optional<LoadCurve>, 6> prescribed;
+   /// When what is prescribed begins, if it is not where the body is, but how
+   /// far it is from where it is then (RigidTies::SetOrigins()).
+   std::optional<mfem::real_t> relative_since{};
    /// Force, and moment about the reference point (force, force x length).
    std::array<LoadCurve, 6> load{{0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
    /// Whether forces and moments turn with the body; they keep their directions

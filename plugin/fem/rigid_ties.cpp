@@ -17,7 +17,7 @@ namespace
 bool Determines(const RigidBodyOptions &body, int axis)
 {
    bool all = !body.IsFree(axis);
-   bool no_others = all;
+   bool no_others = all && !body.relative_since;
    for (int d = 0; d < 3; d++)
    {
       all = all && !body.IsFree(d + 3);
@@ -66,6 +66,7 @@ RigidTies::RigidTies(BiphasicSpaces &spaces,
       AddSlots(b);
    }
    dofs.Sort();
+   origins = Rest();
 }
 
 void RigidTies::AddSlots(int body)
@@ -97,6 +98,30 @@ RigidPoses RigidTies::Rest() const
    return RigidPoses(bodies.size(), RigidPose{{0.0, 0.0, 0.0, 0.0, 0.0, 0.0}});
 }
 
+void RigidTies::SetOrigins(real_t t, const RigidPoses &poses)
+{
+   for (int b = 0; b < Bodies(); b++)
+   {
+      if (Options(b).relative_since == t)
+      {
+         origins[b] = poses[b];
+      }
+   }
+}
+
+void RigidTies::Archive(StateArchive &archive)
+{
+   for (int b = 0; b < Bodies(); b++)
+   {
+      for (int i = 0; i < 6 && Options(b).relative_since; i++)
+      {
+         archive.Number("rigid_body." + Name(b) + ".origin." +
+                           std::to_string(i),
+                        origins[b][i]);
+      }
+   }
+}
+
 void RigidTies::Prescribe(real_t t, RigidPoses &poses) const
 {
    for (int b = 0; b < Bodies(); b++)
@@ -106,6 +131,10 @@ void RigidTies::Prescribe(real_t t, RigidPoses &poses) const
          if (!Options(b).IsFree(i))
          {
             poses[b][i] = (*Options(b).prescribed[i])(t);
+            if (Options(b).relative_since)
+            {
+               poses[b][i] += origins[b][i];
+            }
          }
       }
    }

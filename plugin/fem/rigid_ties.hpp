@@ -2,6 +2,7 @@
 
 #include "synovia/fem/rigid_frame.hpp"
 #include "synovia/fem/tied_nodes.hpp"
+#include "synovia/general/state_archive.hpp"
 
 #include <string>
 #include <vector>
@@ -60,6 +61,11 @@ public:
 
    /// All as meshed.
    RigidPoses Rest() const;
+   /// Lets what is prescribed relatively since time @a t count from @a poses;
+   /// without, it counts from Rest().
+   void SetOrigins(mfem::real_t t, const RigidPoses &poses);
+   /// Lists what relative freedoms count from.
+   void Archive(StateArchive &archive);
    /// Sets the prescribed freedoms to what they are at time @a t.
    void Prescribe(mfem::real_t t, RigidPoses &poses) const;
    /// Those that fit the displacements of tied dofs best, of several with the
@@ -93,6 +99,7 @@ private:
    std::vector<TiedNodes> nodes;
    mfem::Array<int> dofs;
    std::vector<Slot> slots;
+   RigidPoses origins;
 };
 
 } // namespace synovia

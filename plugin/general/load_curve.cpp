@@ -57,6 +57,16 @@ bool LoadCurve::IsZero() const
                       [](real_t value) { return value == 0.0; });
 }
 
+LoadCurve LoadCurve::Delayed(real_t delay) const
+{
+   LoadCurve later(*this);
+   for (real_t &time : later.times)
+   {
+      time += delay;
+   }
+   return later;
+}
+
 LoadCurve Ramp(real_t duration, real_t value)
 {
    return LoadCurve({0.0, duration}, {0.0, value});

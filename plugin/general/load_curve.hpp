@@ -23,6 +23,9 @@ public:
    /// Whether it is zero at all times.
    bool IsZero() const;
 
+   /// The same, later by @a delay.
+   LoadCurve Delayed(mfem::real_t delay) const;
+
    /// Times at which the slope may jump: a time step should end there.
    const std::vector<mfem::real_t> &Corners() const { return times; }
 

@@ -41,6 +41,12 @@ long NumberOf(const std::string &name)
    return number ? std::stol(digits) : -1;
 }
 
+std::string KeptName(const std::filesystem::path &directory,
+                     const std::string &name)
+{
+   return (directory / ("step_" + name + suffix)).string();
+}
+
 /// The checkpoints there are, newest first.
 std::vector<Candidate> List(const std::string &directory)
 {
@@ -130,6 +136,36 @@ FoundCheckpoint FindCheckpoint(const std::string &directory, MPI_Comm comm)
       result.passed_over.push_back(line);
    }
    return result;
+}
+
+void KeepCheckpoint(const std::string &file, const std::string &name,
+                    MPI_Comm comm)
+{
+   OnRoot(comm,
+          [&]()
+          {
+             const std::string kept =
+                KeptName(std::filesystem::path(file).parent_path(), name);
+             const std::string fresh = kept + ".new";
+             std::filesystem::copy_file(
+                file, fresh, std::filesystem::copy_options::overwrite_existing);
+             std::filesystem::rename(fresh, kept);
+          });
+}
+
+void DiscardKeptCheckpoints(const std::string &directory,
+                            const std::vector<std::string> &names,
+                            MPI_Comm comm)
+{
+   if (IsRoot(comm))
+   {
+      std::error_code ignored;
+      for (const std::string &name : names)
+      {
+         std::filesystem::remove(KeptName(directory, name), ignored);
+      }
+   }
+   MPI_Barrier(comm);
 }
 
 void DiscardCheckpointsAfter(const std::string &directory, int newest,

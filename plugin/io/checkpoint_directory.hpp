@@ -26,6 +26,16 @@ struct FoundCheckpoint
 /// 0 reads.
 FoundCheckpoint FindCheckpoint(const std::string &directory, MPI_Comm comm);
 
+/// Keeps a copy of a checkpoint beside it, as `step_<name>.h5`, which no later
+/// one displaces. Collective; rank 0 writes. Throws Error if it can't.
+void KeepCheckpoint(const std::string &file, const std::string &name,
+                    MPI_Comm comm);
+
+/// Removes the copies of these names, if there are any. Collective.
+void DiscardKeptCheckpoints(const std::string &directory,
+                            const std::vector<std::string> &names,
+                            MPI_Comm comm);
+
 /// Removes the checkpoints in @a directory after more than @a newest steps,
 /// which a run that goes on from there would contradict; all of them for -1.
 /// Collective.

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace synovia
@@ -67,8 +69,14 @@ public:
    /// Removes files of an earlier run, which this one would contradict.
    void Discard();
    void Add(const Row &row);
+   void AddVarying(const Row &row);
 
 private:
+   std::vector<std::vector<double>>
+   ReadRows(std::vector<std::string> &old_names, real_t last) const;
+   /// Writes the files anew with these rows.
+   void Replace(const std::vector<std::string> &new_names,
+                const std::vector<std::vector<double>> &kept);
    void Open(const std::vector<std::string> &names_, const std::string &file);
    void Write(const std::vector<std::vector<double>> &added);
 
@@ -116,7 +124,8 @@ void History::Files::Write(const std::vector<std::vector<double>> &added)
    hdf5->Append(added);
 }
 
-int History::Files::Keep(real_t last)
+std::vector<std::vector<double>>
+History::Files::ReadRows(std::vector<std::string> &old_names, real_t last) const
 {
    std::ifstream old(csv_path);
    std::string line;
@@ -124,7 +133,7 @@ int History::Files::Keep(real_t last)
    {
       throw Error("cannot read '" + csv_path + "', the history to continue");
    }
-   const std::vector<std::string> old_names = SplitAtCommas(line);
+   old_names = SplitAtCommas(line);
    const auto time = std::find(old_names.begin(), old_names.end(), "t");
    if (time == old_names.end())
    {
@@ -146,13 +155,67 @@ int History::Files::Keep(real_t last)
          kept.push_back(values);
       }
    }
-   old.close();
+   return kept;
+}
+
+void History::Files::Replace(const std::vector<std::string> &new_names,
+                             const std::vector<std::vector<double>> &kept)
+{
+   csv.reset();
+   hdf5.reset();
    // The old file is there until the new one is whole.
    const std::string fresh = csv_path + ".new";
-   Open(old_names, fresh);
+   Open(new_names, fresh);
    Write(kept);
    std::filesystem::rename(fresh, csv_path);
+}
+
+int History::Files::Keep(real_t last)
+{
+   std::vector<std::string> old_names;
+   const std::vector<std::vector<double>> kept = ReadRows(old_names, last);
+   Replace(old_names, kept);
    return static_cast<int>(kept.size());
+}
+
+void History::Files::AddVarying(const Row &row)
+{
+   if (!hdf5)
+   {
+      Add(row);
+      return;
+   }
+   std::map<std::string, real_t> values(row.begin(), row.end());
+   Row full;
+   for (const std::string &name : names)
+   {
+      const auto found = values.find(name);
+      full.emplace_back(name, found == values.end() ? 0.0 : found->second);
+   }
+   for (const auto &[name, value] : row)
+   {
+      if (std::find(names.begin(), names.end(), name) == names.end())
+      {
+         full.emplace_back(name, value);
+      }
+   }
+   if (full.size() > names.size())
+   {
+      std::vector<std::string> wider;
+      for (const auto &[name, value] : full)
+      {
+         wider.push_back(name);
+      }
+      std::vector<std::string> old_names;
+      std::vector<std::vector<double>> kept =
+         ReadRows(old_names, std::numeric_limits<real_t>::max());
+      for (std::vector<double> &before : kept)
+      {
+         before.resize(wider.size(), 0.0);
+      }
+      Replace(wider, kept);
+   }
+   Add(full);
 }
 
 void History::Files::Add(const Row &row)
@@ -209,6 +272,12 @@ History::~History() = default;
 void History::Add(const Row &row)
 {
    OnRoot(comm, [&]() { files->Add(row); });
+   rows++;
+}
+
+void History::AddVarying(const Row &row)
+{
+   OnRoot(comm, [&]() { files->AddVarying(row); });
    rows++;
 }
 

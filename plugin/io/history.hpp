@@ -39,6 +39,10 @@ public:
    /// the files can't be written, for one because the disk is full.
    void Add(const Row &row);
 
+   /// Adds a row that may have other columns than those before: columns that
+   /// are new are 0 in the rows before, those that it lacks are 0 in it.
+   void AddVarying(const Row &row);
+
    /// How many rows there are, kept ones included.
    int Rows() const { return rows; }
 

@@ -58,7 +58,7 @@ Progress::Progress(MPI_Comm comm)
    watch.Start();
 }
 
-void Progress::Report(const StepReport &report, const TimeStepper &stepper)
+void Progress::Report(const StepReport &report, int left)
 {
    step++;
    linear += report.solve.linear;
@@ -67,7 +67,6 @@ void Progress::Report(const StepReport &report, const TimeStepper &stepper)
       return;
    }
    const double elapsed = watch.RealTime();
-   const int left = stepper.StepsLeft();
    remaining.Add(elapsed - last_step, left);
    last_step = elapsed;
    const bool last = left == 0;

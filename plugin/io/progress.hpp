@@ -13,8 +13,8 @@ class Progress
 public:
    explicit Progress(MPI_Comm comm);
 
-   /// Call after each accepted step.
-   void Report(const StepReport &report, const TimeStepper &stepper);
+   /// Call after each accepted step, with how many are left.
+   void Report(const StepReport &report, int left);
 
    /// Call before anything else is written: ends a line that stands open.
    void EndLine();

@@ -25,7 +25,8 @@ const std::regex line_name(R"(lines/.+_t([-+.e0-9]+)\.csv(\.new)?)");
 const std::regex series_name(R"(fields/([^/]+)/\1\.pvd(\.new)?)");
 const std::regex
    fields_name(R"(fields/[^/]+/Cycle([0-9]+)/(data\.pvtu|proc[0-9]+\.vtu))");
-const std::regex checkpoint_name(R"(checkpoint/checkpoint_[0-9]+\.h5(\.new)?)");
+const std::regex
+   checkpoint_name(R"(checkpoint/(checkpoint_[0-9]+|step_[^/]+)\.h5(\.new)?)");
 const std::regex about_name(R"(run\.log|case\.toml(\.new)?|report\.html)");
 constexpr const char *report_name = "report.html";
 const char *const folders[] = {"lines", "fields", "checkpoint"};

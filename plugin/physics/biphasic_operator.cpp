@@ -199,6 +199,14 @@ void BiphasicOperator::ForgetRate()
    }
 }
 
+void BiphasicOperator::BeginAnew(real_t t, const Vector &u)
+{
+   conditions.SetOrigins(t, u);
+   equations.Ties().SetOrigins(t, poses);
+   ForgetRate();
+   AcceptStep();
+}
+
 void BiphasicOperator::RejectStep()
 {
    rate = accepted.rate;
@@ -222,7 +230,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
    archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
    archive.Number("rate.length", accepted.rate_dt);
    archive.Flag("started", accepted.started);
-   const RigidTies &ties = equations.Ties();
+   RigidTies &ties = equations.Ties();
    for (int b = 0; b < ties.Bodies(); b++)
    {
       for (int i = 0; i < 6; i++)
@@ -231,6 +239,8 @@ void BiphasicOperator::Archive(StateArchive &archive)
                         accepted.poses[b][i]);
       }
    }
+   ties.Archive(archive);
+   conditions.Archive(archive);
    const bool may_be_pushed = equations.Rigid().Any() || ties.Any();
    if (may_be_pushed)
    {

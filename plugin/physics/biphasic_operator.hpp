@@ -49,6 +49,9 @@ public:
    /// To be called before AcceptStep() where loads have a corner: the next step
    /// has other rates, and is not to be guessed from this one's.
    void ForgetRate();
+   /// Lets relative conditions since time @a t count from the displacement
+   /// @a u, true dofs, and guesses the next step from nothing.
+   void BeginAnew(mfem::real_t t, const mfem::Vector &u);
    /// Goes back to what was accepted last: rates, multipliers, active and
    /// sealing sets, drained dofs, support forces and fluid balance.
    void RejectStep();

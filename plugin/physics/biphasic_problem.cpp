@@ -66,6 +66,16 @@ void BiphasicProblem::PrescribeDisplacement(const std::string &boundary,
    SupportOf(boundary).components[component] = true;
 }
 
+void BiphasicProblem::PrescribeIncrement(const std::string &boundary,
+                                         int component, const LoadCurve &value,
+                                         real_t since)
+{
+   VerifyOpen();
+   conditions->PrescribeIncrement(mesh.Boundary(boundary), component, value,
+                                  since);
+   SupportOf(boundary).components[component] = true;
+}
+
 void BiphasicProblem::PrescribePressure(const std::string &boundary,
                                         const LoadCurve &value)
 {

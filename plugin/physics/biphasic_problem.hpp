@@ -47,6 +47,10 @@ public:
    /// One component (0, 1, 2) in time (length).
    void PrescribeDisplacement(const std::string &boundary, int component,
                               const LoadCurve &value);
+   /// How far one component is from what it is at the time @a since, when
+   /// TimeStepper::BeginAnew() is called; from 0 until then (length).
+   void PrescribeIncrement(const std::string &boundary, int component,
+                           const LoadCurve &value, mfem::real_t since);
    /// Fluid pressure, positive in compression (stress).
    void PrescribePressure(const std::string &boundary, const LoadCurve &value);
    /// Total traction: direction x value (stress); in finite deformation per

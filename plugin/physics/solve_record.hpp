@@ -43,6 +43,15 @@ struct PhaseTimes
    mfem::real_t setup = 0.0;
    /// Linear systems without that.
    mfem::real_t linear = 0.0;
+
+   PhaseTimes &operator+=(const PhaseTimes &other)
+   {
+      assembly += other.assembly;
+      search += other.search;
+      setup += other.setup;
+      linear += other.linear;
+      return *this;
+   }
 };
 
 /// What the parts of a solver count together.

@@ -62,6 +62,7 @@ public:
    BodyForm &Bodies() { return *bodies; }
    const BodyForm &Bodies() const { return *bodies; }
    const RigidSurfaces &Rigid() const { return rigid; }
+   RigidTies &Ties() { return ties; }
    const RigidTies &Ties() const { return ties; }
    /// At the last Linearize...() and Set...() of each of its parts.
    const BiphasicJacobian &Jacobian() const { return *jacobian; }

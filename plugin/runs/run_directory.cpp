@@ -69,10 +69,12 @@ void RunDirectory::Clear() const
    OnRoot(comm, [&]() { RemoveResults(path); });
 }
 
-void RunDirectory::ClearAfter(real_t time, int steps) const
+void RunDirectory::ClearAfter(real_t time, int steps,
+                              const std::vector<std::string> &later) const
 {
    OnRoot(comm, [&]() { RemoveResultsAfter(path, time, steps); });
    DiscardCheckpointsAfter(Checkpoints(), steps, comm);
+   DiscardKeptCheckpoints(Checkpoints(), later, comm);
 }
 
 void RunDirectory::WriteSetup(const CaseFile &setup) const

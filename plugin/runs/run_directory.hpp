@@ -4,6 +4,7 @@
 #include "synovia/io/directory_lock.hpp"
 
 #include <string>
+#include <vector>
 
 namespace synovia
 {
@@ -25,8 +26,10 @@ public:
    void VerifyUnused() const;
    /// Removes what runs have written. All else stays.
    void Clear() const;
-   /// Removes what runs have written of later times and steps.
-   void ClearAfter(mfem::real_t time, int steps) const;
+   /// Removes what runs have written of later times and time steps, and what
+   /// is kept of the ends of the @a later steps.
+   void ClearAfter(mfem::real_t time, int steps,
+                   const std::vector<std::string> &later) const;
 
    /// Writes the case, with all defaults, to case.toml.
    void WriteSetup(const CaseFile &setup) const;

@@ -1,8 +1,8 @@
 #include "synovia/runs/run_output.hpp"
 #include "synovia/general/root_rank.hpp"
 #include "synovia/io/checkpoint.hpp"
+#include "synovia/io/checkpoint_directory.hpp"
 #include "synovia/runs/line_output.hpp"
-#include "synovia/runs/run_directory.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -19,8 +19,9 @@ bool IsSameTime(real_t a, real_t b, const TimeOptions &options)
    return std::abs(a - b) <= same_part * options.step;
 }
 
-RunOutput::RunOutput(const CaseFile &setup_, BiphasicProblem &problem_)
-   : setup(setup_), problem(problem_),
+RunOutput::RunOutput(const CaseOfStep &step_, BiphasicProblem &problem_,
+                     const std::string &text_)
+   : step(step_), setup(step.setup), problem(problem_), text(text_),
      lines(std::make_unique<LineOutput>(setup, problem))
 {
 }
@@ -48,7 +49,14 @@ void RunOutput::Open(TimeStepper &stepper_, bool goes_on)
 
 void RunOutput::Record(const History::Row &row)
 {
-   history->Add(row);
+   if (step.name.empty())
+   {
+      history->Add(row);
+   }
+   else
+   {
+      history->AddVarying(row);
+   }
    const int every = setup.output.fields_every;
    if (fields && (stepper->Steps() % every == 0 || stepper->Done()))
    {
@@ -79,8 +87,13 @@ bool RunOutput::CheckpointIsDue() const
 
 std::string RunOutput::WriteCheckpoint()
 {
-   return synovia::WriteCheckpoint(setup.output.directory + "/checkpoint",
-                                   problem, *stepper, SetupText(setup));
+   const std::string file = synovia::WriteCheckpoint(
+      setup.output.directory + "/checkpoint", problem, *stepper, text);
+   if (stepper->Done() && !step.name.empty())
+   {
+      KeepCheckpoint(file, step.name, problem.Mesh().GetComm());
+   }
+   return file;
 }
 
 } // namespace synovia

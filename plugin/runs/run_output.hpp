@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/cases/case_file.hpp"
+#include "synovia/cases/case_steps.hpp"
 #include "synovia/io/field_output.hpp"
 #include "synovia/io/history.hpp"
 #include "synovia/time/time_stepper.hpp"
@@ -21,9 +21,10 @@ bool IsSameTime(mfem::real_t a, mfem::real_t b, const TimeOptions &options);
 class RunOutput
 {
 public:
-   /// Borrows @a setup and @a problem. Nothing is written yet. Throws Error if
-   /// a line leaves the mesh.
-   RunOutput(const CaseFile &setup, BiphasicProblem &problem);
+   /// Of one step of a case, whose text is @a text. Borrows @a step and @a
+   /// problem. Nothing is written yet. Throws Error if a line leaves the mesh.
+   RunOutput(const CaseOfStep &step, BiphasicProblem &problem,
+             const std::string &text);
    ~RunOutput();
 
    /// Starts the files, or goes on with those that are there up to the
@@ -35,12 +36,15 @@ public:
    /// it, except checkpoints. Throws Error if it can't.
    void Record(const History::Row &row);
    bool CheckpointIsDue() const;
-   /// Writes one now, and gives the name of its file.
+   /// Writes one now, and gives the name of its file; at the end of a step it
+   /// stays under the step's name.
    std::string WriteCheckpoint();
 
 private:
+   const CaseOfStep &step;
    const CaseFile &setup;
    BiphasicProblem &problem;
+   std::string text;
    TimeStepper *stepper = nullptr;
    std::unique_ptr<LineOutput> lines;
    std::unique_ptr<History> history;

@@ -1,4 +1,5 @@
 #include "synovia/runs/run_texts.hpp"
+#include "synovia/general/text.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -17,6 +18,20 @@ std::string SizeText(BiphasicSpaces &spaces, double seconds)
         << " dofs on " << ranks << (ranks == 1 ? " rank" : " ranks")
         << ", set up in " << std::setprecision(3) << seconds << " s";
    return text.str();
+}
+
+std::string BeginText(const CaseOfStep &step)
+{
+   return "step \"" + step.name + "\": from t = " + ToText(step.begin) +
+          " to " + ToText(step.end);
+}
+
+std::string JumpText(mfem::real_t jump)
+{
+   return "displacements that this step prescribes begin up to " +
+          ToText(jump) +
+          " from where the surfaces are, and jump in the first time step; a "
+          "curve that begins there, or relative = true, avoids that";
 }
 
 std::string StepText(int step, const StepReport &report)

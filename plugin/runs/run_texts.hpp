@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/cases/case_steps.hpp"
 #include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/physics/biphasic_operator.hpp"
 #include "synovia/time/time_stepper.hpp"
@@ -13,6 +14,12 @@ namespace synovia
 
 /// Size of the problem, and time of its set-up (s). Collective.
 std::string SizeText(BiphasicSpaces &spaces, double seconds);
+
+/// Which step of the case begins.
+std::string BeginText(const CaseOfStep &step);
+
+/// A warning of displacements that begin so far (length) from where they are.
+std::string JumpText(mfem::real_t jump);
 
 /// Result of a step.
 std::string StepText(int step, const StepReport &report);

@@ -14,6 +14,7 @@
 #include "synovia/runs/restart_rules.hpp"
 #include "synovia/runs/resume_command.hpp"
 #include "synovia/runs/run_texts.hpp"
+#include "synovia/runs/step_table.hpp"
 
 #include <iostream>
 
@@ -33,7 +34,7 @@ const CaseFile &Checked(const CaseFile &setup)
 
 Simulation::Simulation(const CaseFile &setup_, MPI_Comm comm_)
    : setup(Checked(setup_)), comm(comm_), mesh(ReadCaseMesh(setup, comm)),
-     problem(setup, mesh), strain_record(problem.Get().GetDeformation())
+     sequence(setup, mesh), strain_record(setup.space.deformation)
 {
    watch.Start();
 }
@@ -42,29 +43,24 @@ Simulation::~Simulation() = default;
 
 void Simulation::Describe(std::ostream &out)
 {
-   const ProblemReport report(setup, problem);
-   const LineOutput reachable(setup, problem.Get());
+   const ProblemReport report(sequence.Present().setup, sequence.Problem());
+   const LineOutput reachable(setup, Problem());
    if (IsRoot(comm))
    {
       report.Write(out);
+      WriteSteps(setup, out);
    }
 }
 
 TimeStepper &Simulation::Stepper()
 {
-   if (!stepper)
+   TimeStepper &stepper = sequence.Stepper();
+   if (!strains)
    {
-      TimeOptions options(setup.time);
-      for (const LineCase &line : setup.output.lines)
-      {
-         options.stops.insert(options.stops.end(), line.times.begin(),
-                              line.times.end());
-      }
-      stepper = std::make_unique<TimeStepper>(problem.Get(), options);
-      strains = std::make_unique<StrainMonitor>(mesh, stepper->Displacement(),
-                                                problem.Get().GetDeformation());
+      strains = std::make_unique<StrainMonitor>(mesh, stepper.Displacement(),
+                                                setup.space.deformation);
    }
-   return *stepper;
+   return stepper;
 }
 
 bool Simulation::IsNow(real_t time)
@@ -83,6 +79,20 @@ void Simulation::Say(const std::string &text)
    {
       std::cout << text << std::endl;
    }
+}
+
+void Simulation::SayStep()
+{
+   if (!setup.steps.empty())
+   {
+      Say(BeginText(sequence.Present()));
+   }
+}
+
+std::unique_ptr<RunOutput> Simulation::MakeOutput()
+{
+   return std::make_unique<RunOutput>(sequence.Present(), Problem(),
+                                      SetupText(setup));
 }
 
 void Simulation::OpenDirectory()
@@ -113,10 +123,12 @@ void Simulation::Overwrite()
 void Simulation::StartAnew()
 {
    // Errors of the case come before anything is removed.
-   const std::vector<PairAtStart> pairs = CheckContact(setup, problem);
+   const CaseFile &first = sequence.Present().setup;
+   const std::vector<PairAtStart> pairs =
+      CheckContact(first, sequence.Problem());
    const std::vector<std::string> warnings =
-      FindWarnings(setup, problem, pairs);
-   output = std::make_unique<RunOutput>(setup, problem.Get());
+      FindWarnings(first, sequence.Problem(), pairs);
+   output = MakeOutput();
    directory->Clear();
    Begin(false, warnings);
    for (const PairAtStart &pair : pairs)
@@ -124,8 +136,7 @@ void Simulation::StartAnew()
       log->Add("contact pair \"" + pair.name + "\": least gap at the start " +
                ToText(pair.least_gap));
    }
-   for (const FirstApproach::Move &move :
-        problem.Get().Operator().Start().moves)
+   for (const FirstApproach::Move &move : Problem().Operator().Start().moves)
    {
       Say(ToText(move));
    }
@@ -184,19 +195,22 @@ void Simulation::GoOn(const Checkpoint &checkpoint,
                       const std::vector<CaseChange> &changes)
 {
    VerifyEnd(setup, checkpoint);
-   const std::vector<std::string> warnings = FindWarnings(setup, problem, {});
-   output = std::make_unique<RunOutput>(setup, problem.Get());
-   checkpoint.Restore(problem.Get(), Stepper());
+   sequence.GoTo(checkpoint.Time());
+   const std::vector<std::string> warnings =
+      FindWarnings(sequence.Present().setup, sequence.Problem(), {});
+   output = MakeOutput();
+   checkpoint.Restore(Problem(), Stepper());
    if (directory->HasCheckpoint(checkpoint.File()))
    {
-      directory->ClearAfter(checkpoint.Time(), checkpoint.Steps());
+      directory->ClearAfter(checkpoint.Time(), checkpoint.Steps(),
+                            sequence.NamesToReach());
    }
    else
    {
       directory->Clear();
    }
    Begin(true, warnings);
-   Say("goes on from t = " + ToText(stepper->Time()) + ", " +
+   Say("goes on from t = " + ToText(Stepper().Time()) + ", " +
        checkpoint.File());
    for (const CaseChange &change : changes)
    {
@@ -217,7 +231,8 @@ void Simulation::Begin(bool goes_on, const std::vector<std::string> &warnings)
    {
       Say(setup.title);
    }
-   Say(SizeText(problem.Get().Spaces(), watch.RealTime()));
+   Say(SizeText(Problem().Spaces(), watch.RealTime()));
+   SayStep();
    if (!directory->Doubt().empty())
    {
       Say("warning: " + directory->Doubt());
@@ -271,9 +286,13 @@ void Simulation::Fail(const StepReport &report)
    std::string text = "the step from t = " + ToText(report.time) +
                       " with dt = " + ToText(report.dt) +
                       " failed: " + report.reason;
-   if (setup.output.checkpoint_every > 0 && stepper->Steps() > 0)
+   if (setup.output.checkpoint_every > 0 && Stepper().Steps() > 0)
    {
-      const std::string file = WriteCheckpoint();
+      // The end of the step before has been written.
+      const std::string file =
+         sequence.IsAtBeginning()
+            ? CheckpointName(directory->Checkpoints(), Stepper().Steps())
+            : WriteCheckpoint();
       if (!file.empty())
       {
          text += "; what came before is in '" + file + "'";
@@ -289,7 +308,7 @@ int Simulation::StopIfAsked()
       return 0;
    }
    const std::string file = WriteCheckpoint();
-   const std::string at = "stopped at t = " + ToText(stepper->Time());
+   const std::string at = "stopped at t = " + ToText(Stepper().Time());
    if (file.empty())
    {
       Say(at + ", without a checkpoint");
@@ -310,9 +329,36 @@ StepReport Simulation::Step()
    return Logging([&]() { return TakeStep(); });
 }
 
+void Simulation::BeginNextStep()
+{
+   for (const ContactPair *pair : Problem().Operator().Pairs())
+   {
+      if (HasTouched(*pair))
+      {
+         touched.insert(pair->Name());
+      }
+   }
+   // They look at what the step had.
+   output.reset();
+   strains.reset();
+   sequence.Advance();
+   output = MakeOutput();
+   output->Open(Stepper(), true);
+   SayStep();
+   const real_t jump = sequence.Jump();
+   if (jump > 0.0)
+   {
+      Say("warning: " + JumpText(jump));
+   }
+}
+
 StepReport Simulation::TakeStep()
 {
-   const StepReport report = stepper->Step();
+   if (sequence.StepIsDone())
+   {
+      BeginNextStep();
+   }
+   const StepReport report = Stepper().Step();
    if (!report.converged)
    {
       Fail(report);
@@ -320,22 +366,26 @@ StepReport Simulation::TakeStep()
    const double before = watch.RealTime();
    Record(report);
    output_seconds += watch.RealTime() - before;
-   progress->Report(report, *stepper);
+   progress->Report(report, sequence.StepsLeft());
    return report;
 }
 
 void Simulation::Record(const StepReport &report)
 {
    const StrainExtremes now = strains->Measure();
-   History::Row row = StepDiagnostics(problem.Get(), *stepper, report);
+   History::Row row = StepDiagnostics(Problem(), Stepper(), report);
    AddStrains(row, now);
+   if (!setup.steps.empty())
+   {
+      row.emplace_back("step", sequence.Number());
+   }
    output->Record(row);
    const std::string warning = strain_record.Add(now, report.time);
    if (!warning.empty())
    {
       Say("warning: " + warning);
    }
-   log->Add(StepText(stepper->Steps(), report));
+   log->Add(StepText(Stepper().Steps(), report));
    if (output->CheckpointIsDue())
    {
       WriteCheckpoint();
@@ -360,16 +410,15 @@ int Simulation::Run()
 
 void Simulation::Finish()
 {
-   Say(PhaseText(problem.Get().Operator().Times(), watch.RealTime(),
-                 output_seconds));
+   Say(PhaseText(sequence.Times(), watch.RealTime(), output_seconds));
    const std::string largest = strain_record.Summary();
    if (!largest.empty())
    {
       Say(largest);
    }
-   for (const ContactPair *pair : problem.Get().Operator().Pairs())
+   for (const ContactPair *pair : Problem().Operator().Pairs())
    {
-      if (!HasTouched(*pair))
+      if (!HasTouched(*pair) && touched.count(pair->Name()) == 0)
       {
          Say("warning: contact pair \"" + pair->Name() +
              "\" never touched; are its surfaces, the gap between them and "

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "synovia/cases/case_file.hpp"
-#include "synovia/cases/case_problem.hpp"
 #include "synovia/general/stop_request.hpp"
 #include "synovia/io/progress.hpp"
 #include "synovia/io/run_log.hpp"
 #include "synovia/runs/run_directory.hpp"
 #include "synovia/runs/run_output.hpp"
+#include "synovia/runs/step_sequence.hpp"
 #include "synovia/runs/strain_record.hpp"
-#include "synovia/time/time_stepper.hpp"
 
 #include <iosfwd>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace synovia
@@ -68,7 +68,7 @@ public:
 
    /// One step with its output. Throws as Run() does.
    StepReport Step();
-   bool Done() const { return stepper && stepper->Done(); }
+   bool Done() const { return sequence.IsLast() && sequence.StepIsDone(); }
    /// If a signal asked the run to stop: writes a checkpoint, says how to go
    /// on, and gives the exit status of the program; else 0. Run() does it after
    /// each step.
@@ -77,8 +77,9 @@ public:
    void Finish();
 
    const CaseFile &Case() const { return setup; }
-   BiphasicProblem &Problem() { return problem.Get(); }
+   BiphasicProblem &Problem() { return sequence.Problem().Get(); }
    /// Assembles the problem at the first call.
+   /// With steps, each has another problem and stepper.
    TimeStepper &Stepper();
    /// Whether the last step ended at this time.
    bool IsNow(mfem::real_t time);
@@ -91,6 +92,9 @@ private:
              const std::vector<CaseChange> &changes);
    void Begin(bool goes_on, const std::vector<std::string> &warnings);
    void Say(const std::string &text);
+   void SayStep();
+   std::unique_ptr<RunOutput> MakeOutput();
+   void BeginNextStep();
    StepReport TakeStep();
    void Record(const StepReport &report);
    std::string WriteCheckpoint();
@@ -102,8 +106,7 @@ private:
    MPI_Comm comm;
    mfem::StopWatch watch;
    NamedMesh mesh;
-   CaseProblem problem;
-   std::unique_ptr<TimeStepper> stepper;
+   StepSequence sequence;
    std::unique_ptr<StrainMonitor> strains;
    StrainRecord strain_record;
    std::unique_ptr<RunDirectory> directory;
@@ -111,6 +114,8 @@ private:
    std::unique_ptr<RunOutput> output;
    std::unique_ptr<Progress> progress;
    std::unique_ptr<StopRequest> stop;
+   /// Pairs that touched in an earlier step.
+   std::set<std::string> touched;
    double output_seconds = 0.0;
 };
 

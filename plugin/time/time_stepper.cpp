@@ -384,6 +384,14 @@ void TimeStepper::Accept(const Attempt &result, real_t target, bool jump)
    control.Grow(result.step);
 }
 
+void TimeStepper::BeginAnew()
+{
+   control = StepControl(Limits(options), op.Options().tuning.steps);
+   goal = time;
+   smooth = false;
+   op.BeginAnew(time, state.GetBlock(0));
+}
+
 void TimeStepper::Archive(StateArchive &archive)
 {
    archive.Number("time", time);

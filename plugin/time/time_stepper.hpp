@@ -80,6 +80,11 @@ public:
    /// Throws Error on options out of range. Collective.
    TimeStepper(BiphasicProblem &problem, const TimeOptions &options);
 
+   /// Goes on as at the start, with the first step's length: what is prescribed
+   /// has changed. Relative conditions since the present time count from the
+   /// present state. Collective.
+   void BeginAnew();
+
    /// One accepted step, with all the attempts that it takes, or a failed one.
    /// Collective. Undefined once Done().
    StepReport Step();

@@ -185,7 +185,8 @@ def case_options(file: pathlib.Path, arguments: list[str],
     case = tomllib.loads(file.read_text(encoding="utf-8"))
     settings = dict(word.split("=", 1) for option, word
                     in zip(arguments, arguments[1:]) if option == "--set")
-    end = float(settings.get("time.end", case["time"]["end"]))
+    steps = sum(step["duration"] for step in case.get("step", ()))
+    end = float(settings.get("time.end", case["time"].get("end", steps)))
     options = [f"time.step={end / STEPS:g}", "output.fields_every=1"]
     if "space.order" not in settings:
         options.append("space.order=1")

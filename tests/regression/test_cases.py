@@ -122,6 +122,26 @@ def confined(run: Runs) -> None:
           "stress with adaptive steps")
 
 
+def relaxation_and_recovery(run: Runs) -> None:
+    mesh = run.mesh("boxes.py", "confined_compression")
+    rows = run(CASES / "relaxation_and_recovery.toml", mesh)
+    for t in (50, 500, 600, 2500):
+        close(-at(rows, t)["reaction.top.z"] / 0.04,
+              confined_stress(t, 0.075 / 500, 500, 0.75), 1e-3,
+              f"stress at {t} s")
+    check({row["t"]: row["step"] for row in rows}
+          == {row["t"]: 1 + (row["t"] > 500) + (row["t"] > 2500)
+              for row in rows}, "the history says which step it is")
+    check(all(row["reaction.top.z"] == 0.0 for row in rows
+              if row["step"] == 3), "nothing holds what is released")
+    with open(run.directory / "out" / "lines" / "depth_t2550.csv") as file:
+        top = list(csv.DictReader(file))[-1]
+    series = sum(2 * math.exp(-m * m * H_A * KAPPA * 50 / 0.75**2) / (m * m)
+                 for m in ((n + 0.5) * math.pi for n in range(100)))
+    close(float(top["uz"]), -0.075 * series, 5e-3,
+          "displacement 50 s after the release")
+
+
 def unconfined(run: Runs) -> None:
     mesh = run.mesh("boxes.py", "unconfined_compression")
     rows = run(CASES / "unconfined_compression.toml", mesh)
@@ -282,7 +302,8 @@ def glenohumeral_finite(run: Runs) -> None:
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         run = Runs(pathlib.Path(name))
-        for case in (confined, unconfined, confined_finite,
+        for case in (confined, relaxation_and_recovery, unconfined,
+                     confined_finite,
                      unconfined_finite, two_columns, hertz, indentation,
                      indentation_hexahedra, indentation_finite,
                      indentation_wedge, glenohumeral, glenohumeral_hexahedra,

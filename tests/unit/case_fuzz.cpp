@@ -7,11 +7,12 @@
 
 #include "support/boxes.hpp"
 #include "synovia/cases/case_file.hpp"
-#include "synovia/cases/case_problem.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/mesh/stack_bodies.hpp"
 #include "synovia/runs/line_output.hpp"
 #include "synovia/runs/problem_report.hpp"
+#include "synovia/runs/step_sequence.hpp"
+#include "synovia/runs/step_table.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -231,6 +232,12 @@ std::vector<Shipped> ShippedCases()
                                                       {"side", {3, 4}}},
                                                      1.5, 0.25));
    }
+   add("relaxation_and_recovery", OneBox("cartilage",
+                                         {{"bottom", {1}},
+                                          {"top", {6}},
+                                          {"sides_x", {3, 5}},
+                                          {"sides_y", {2, 4}}},
+                                         0.2, 0.75));
    add("two_columns", TwoBoxes("lower", "upper",
                                {{"lower_bottom", {1}},
                                 {"lower_top", {6}},
@@ -477,11 +484,12 @@ std::string Try(const std::string &text, NamedMesh &mesh)
    try
    {
       const CaseFile setup = ParseCase(text, source);
-      CaseProblem problem(setup, mesh);
-      const ProblemReport report(setup, problem);
-      const LineOutput lines(setup, problem.Get());
+      StepSequence steps(setup, mesh);
+      const ProblemReport report(steps.Present().setup, steps.Problem());
+      const LineOutput lines(setup, steps.Problem().Get());
       std::ostringstream out;
       report.Write(out);
+      WriteSteps(setup, out);
       CHECK(out.str().find("nan") == std::string::npos);
 
       // It is written as it was understood.

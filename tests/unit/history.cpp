@@ -225,3 +225,22 @@ TEST_CASE("A history that can't be written is an error on all ranks", "[io]")
                              Contains("No space left on device"));
    }
 }
+
+TEST_CASE("Columns may come and go, and are 0 where there is nothing", "[io]")
+{
+   const TemporaryDirectory temp;
+   History history(temp.Path(), MPI_COMM_WORLD);
+   history.AddVarying({{"t", 1.0}, {"force", 1.0 / 3.0}});
+   history.AddVarying({{"t", 2.0}, {"area", 4.0}});
+   history.AddVarying({{"t", 3.0}, {"force", 6.0}, {"area", 8.0}});
+   CHECK(history.Rows() == 3);
+   CHECK(ReadText(temp / "history.csv") == "t,force,area\n"
+                                           "1,0.333333333333333,0\n"
+                                           "2,0,4\n"
+                                           "3,6,8\n");
+   CHECK(ReadHdf5Column(temp / "history.h5", "area") == Values{0.0, 4.0, 8.0});
+   CHECK(ReadHdf5Column(temp / "history.h5", "force").size() == 3);
+   // Add() is still strict.
+   CHECK_THROWS_WITH(history.Add({{"t", 4.0}, {"force", 1.0}}),
+                     Contains("has no more columns"));
+}

@@ -25,6 +25,8 @@ namespace
 const std::set<std::string> results{"checkpoint/checkpoint_00000010.h5",
                                     "checkpoint/checkpoint_00000020.h5",
                                     "checkpoint/checkpoint_00000030.h5.new",
+                                    "checkpoint/step_press.h5",
+                                    "checkpoint/step_slide.h5",
                                     "fields/bodies/Cycle000010/data.pvtu",
                                     "fields/bodies/Cycle000010/proc000000.vtu",
                                     "fields/bodies/Cycle000020/data.pvtu",
@@ -106,7 +108,7 @@ TEST_CASE("A directory with results of a run is refused, and they are listed")
    CHECK(MessageOf(directory) ==
          "the output directory '" + directory.Path() +
             "' holds results of a run: history.csv, history.h5, checkpoint/ "
-            "(3 files), fields/ (4 files), lines/ (2 files); go on with that "
+            "(5 files), fields/ (4 files), lines/ (2 files); go on with that "
             "run (--resume), replace it (--overwrite), or name another "
             "directory (--output)");
    CHECK(Files(directory) == Union(results, foreign));
@@ -151,14 +153,14 @@ TEST_CASE("What comes after a checkpoint goes, and the rest stays")
    directory.Write("fields/bodies/bodies.pvd",
                    begin + entry("000010") + entry("000020") + end);
    const RunDirectory run(directory.Path(), MPI_COMM_WORLD);
-   run.ClearAfter(100.0, 10);
+   run.ClearAfter(100.0, 10, {"slide"});
    CHECK(Files(directory) ==
-         std::set<std::string>{"case.toml", "checkpoint/checkpoint_00000010.h5",
-                               "fields/bodies/Cycle000010/data.pvtu",
-                               "fields/bodies/Cycle000010/proc000000.vtu",
-                               "fields/bodies/bodies.pvd", "history.csv",
-                               "history.h5", "lines/axis_t1e+02.csv",
-                               "run.log"});
+         std::set<std::string>{
+            "case.toml", "checkpoint/checkpoint_00000010.h5",
+            "checkpoint/step_press.h5", "fields/bodies/Cycle000010/data.pvtu",
+            "fields/bodies/Cycle000010/proc000000.vtu",
+            "fields/bodies/bodies.pvd", "history.csv", "history.h5",
+            "lines/axis_t1e+02.csv", "run.log"});
    CHECK(ReadText(directory / "fields/bodies/bodies.pvd") ==
          begin + entry("000010") + end);
    CHECK(run.HasCheckpoint(directory / "checkpoint/checkpoint_00000010.h5"));

@@ -169,7 +169,8 @@ class Case(Section):
         with resume=True. Raises RunError with the program's messages.
         """
         run = self.start(ranks, output, overwrite=overwrite, resume=resume)
-        with RunProgress(self["time.end"] or 0.0, progress) as show:
+        steps = sum(step["duration"] for step in self["step"])
+        with RunProgress(self["time.end"] or steps, progress) as show:
             return run.wait(show)
 
 

@@ -1,0 +1,205 @@
+#include "synovia/cases/condition_keys.hpp"
+
+namespace synovia
+{
+
+namespace
+{
+const char *const length = "length";
+const char *const stress = "stress";
+
+KeyTable SpringKeys(SpringCase &spring)
+{
+   KeyTable keys;
+   keys
+      .Value("stiffness", spring.stiffness, "force/length",
+             "of all springs together, spread over the surfaces; 0 for none")
+      .AtLeast(0.0);
+   keys.Value("direction", spring.direction, "",
+              "of the springs; [0, 0, 0] for alike in all directions");
+   return keys;
+}
+
+KeyTable ForceKeys(ForceCase &force)
+{
+   KeyTable keys;
+   keys.Value("direction", force.direction, "",
+              "of the resultant; components of the displacement that are zero "
+              "here are free, or as displacement says");
+   keys.Value("curve", force.curve, "force", "the resultant in time");
+   return keys;
+}
+
+void AddBoundaryKeys(BoundaryCase &boundary, KeyTable &keys)
+{
+   keys.Value("displacement", boundary.displacement, length,
+              "prescribed, by component");
+   keys.Value("pressure", boundary.pressure, stress,
+              "prescribed fluid pressure; impermeable if there is none");
+   keys.Value("traction", boundary.traction, stress,
+              "total traction, by component");
+   keys.Value("normal_traction", boundary.normal_traction, stress,
+              "total traction along the outward normal, positive in tension; "
+              "in finite deformation it follows the surface");
+   keys.Value("effective_traction", boundary.effective_traction, stress,
+              "traction of the solid alone along the outward normal, to which "
+              "the fluid's pressure adds: the total one is less by the "
+              "pressure; finite deformation");
+   keys.Value("normal_flux", boundary.normal_flux, "length/time",
+              "outward relative flux of the fluid; in finite deformation per "
+              "deformed area");
+   keys.Value("mixture_flux", boundary.mixture_flux, "length/time",
+              "outward flux of fluid and solid together, per deformed area: "
+              "the relative one is less by the solid's velocity; finite "
+              "deformation");
+   keys.Table("spring", SpringKeys(boundary.spring),
+              "springs between the surfaces and a fixed base");
+   keys.Table("force", ForceKeys(boundary.force),
+              "moves the surfaces rigidly, as one, by a resultant");
+}
+
+void AddRigidBodyKeys(RigidBodyCase &body, KeyTable &keys)
+{
+   keys.Value("translation", body.translation, length,
+              "prescribed, by component; free if left out");
+   keys.Value("rotation", body.rotation, "rad",
+              "prescribed, by component of the rotation vector, which is along "
+              "the axis and as long as the angle; free if left out");
+   keys.Value("force", body.force, "force",
+              "at the reference point, by component, on free ones");
+   keys.Value("moment", body.moment, "force length",
+              "about the reference point, by component, on free ones");
+   keys.Value("load_follows", body.load_follows, "",
+              "whether force and moment turn with the body, in finite "
+              "deformation");
+   keys.Value("stiffness", body.stiffness, "force/length",
+              "of springs between the reference point and where it was, by "
+              "component, on free ones");
+   keys.Value("rotational_stiffness", body.rotational_stiffness,
+              "force length/rad",
+              "of springs that resist rotation, by component, on free ones");
+}
+
+void AddContactKeys(ContactOptions &options, KeyTable &keys)
+{
+   keys.Auto("penalty", options.penalty, "stress/length",
+             "of the gap; derived from the softer side");
+   keys.Auto("pressure_penalty", options.pressure_penalty,
+             "length/(stress time)",
+             "of the pressure jump; derived from the less permeable side");
+   keys
+      .Value("penalty_factor", options.penalty_factor, "",
+             "factor of both derived penalties")
+      .Positive()
+      .Named("penalty_factor");
+   keys.Auto("gap_tolerance", options.gap_tolerance, length,
+             "largest gap left in contact; 1e-5 of the destination's "
+             "thickness");
+   keys
+      .Value("pressure_tolerance", options.pressure_tolerance, "",
+             "largest pressure jump left in contact, of the peak pressure")
+      .Positive();
+   keys.Auto("search_radius", options.search_radius, length,
+             "how far the destination looks for the source; the destination's "
+             "thickness");
+   keys.Word<InitialOverlap>("initial_overlap", options.initial_overlap,
+                             {{"press_out", InitialOverlap::press_out},
+                              {"remove", InitialOverlap::remove}},
+                             "what becomes of surfaces that overlap as meshed: "
+                             "the first step presses it out, or gaps are "
+                             "measured from it");
+   keys.Auto("overlap_limit", options.overlap_limit, length,
+             "a deeper overlap is an error; a tenth of the destination's "
+             "thickness");
+   keys.Word<SearchConfiguration>(
+      "configuration", options.configuration,
+      {{"reference", SearchConfiguration::reference},
+       {"current", SearchConfiguration::current}},
+      "where the surfaces look for each other: as meshed, once, or as "
+      "deformed, in every step, for large sliding");
+   keys.Word<ContactNormal>(
+      "normal", options.normal,
+      {{"destination", ContactNormal::destination},
+       {"mean", ContactNormal::mean}},
+      "the direction of gap and traction: the destination's normal, or the "
+      "mean of both surfaces'");
+   keys
+      .Value(
+         "quadrature_order", options.quadrature_order, "",
+         "exactness of the quadrature on the part of a face that one face of "
+         "the source covers; not 3")
+      .From(1, 25);
+}
+} // namespace
+
+KeyTable BoundaryKeys(BoundaryCase &boundary)
+{
+   KeyTable keys;
+   keys.Value("name", boundary.name, "", "by which steps change or release it");
+   keys.Value("surfaces", boundary.surfaces, "", "where: physical surfaces")
+      .Required();
+   AddBoundaryKeys(boundary, keys);
+   return keys;
+}
+
+KeyTable StepBoundaryKeys(BoundaryCase &boundary)
+{
+   KeyTable keys;
+   keys.Value("name", boundary.name, "",
+              "what is of this name already ends; a later step may change or "
+              "release it");
+   keys.Value("surfaces", boundary.surfaces, "",
+              "where: physical surfaces; those of what it takes the place of "
+              "if left out");
+   keys.Value("relative", boundary.relative, "",
+              "whether the displacement counts from where the surfaces are "
+              "when the step begins");
+   AddBoundaryKeys(boundary, keys);
+   return keys;
+}
+
+KeyTable RigidBodyKeys(RigidBodyCase &body)
+{
+   KeyTable keys;
+   keys.Value("name", body.name, "", "of the body in the output").Required();
+   keys
+      .Value("surfaces", body.surfaces, "",
+             "what is tied to it: physical surfaces")
+      .Required();
+   keys.Value("reference", body.reference, length,
+              "the point that the translation and moments are of; the "
+              "surfaces' center of area if left out");
+   AddRigidBodyKeys(body, keys);
+   return keys;
+}
+
+KeyTable StepRigidBodyKeys(RigidBodyCase &body)
+{
+   KeyTable keys;
+   keys.Value("name", body.name, "", "of a rigid body that there is")
+      .Required();
+   keys.Value("relative", body.relative, "",
+              "whether translation and rotation count from where the body is "
+              "when the step begins");
+   AddRigidBodyKeys(body, keys);
+   return keys;
+}
+
+KeyTable ContactKeys(ContactCase &contact)
+{
+   KeyTable keys;
+   keys.Value("name", contact.name, "",
+              "of the pair in the output; made of source and destination if "
+              "left out");
+   keys.Value("source", contact.source, "", "physical surfaces of one side")
+      .Required();
+   keys
+      .Value("destination", contact.destination, "",
+             "physical surfaces of the other side, which carries the contact "
+             "traction: the finer one")
+      .Required();
+   AddContactKeys(contact.options, keys);
+   return keys;
+}
+
+} // namespace synovia
