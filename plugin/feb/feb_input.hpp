@@ -11,6 +11,8 @@ namespace synovia
 
 /// An element that is being read: all that it is asked for counts as read, and
 /// what is wrong with it is listed in the report.
+///
+/// Large because each kind of value and each fate of an element has a member.
 class FebInput
 {
 public:

@@ -255,6 +255,51 @@ TEST_CASE("What is not known in a model stops its import, with line and path")
          std::string::npos);
 }
 
+TEST_CASE("Fibers refer to the axes of the frame")
+{
+   const FebImport import =
+      ImportFeb(Replaced(FebColumn(), R"(<solid type="neo-Hookean">
+				<density>1</density>
+				<E>2</E>
+				<v>0.1</v>
+			</solid>)",
+                         R"(<solid type="solid mixture">
+				<solid type="neo-Hookean"><E>2</E><v>0.1</v></solid>
+				<solid type="fiber-NH">
+					<mu>3</mu>
+					<fiber type="angles"><theta>90</theta><phi>90</phi></fiber>
+				</solid>
+				<solid type="ellipsoidal fiber distribution">
+					<beta>2,2.5,3</beta>
+					<ksi>4,5,6</ksi>
+				</solid>
+				<solid type="continuous fiber distribution">
+					<fibers type="fiber-exp-pow">
+						<alpha>8</alpha><beta>2</beta><ksi>2.25</ksi><mu>0</mu>
+					</fibers>
+					<distribution type="von-Mises-3d"><b>2</b></distribution>
+					<scheme type="fibers-3d-fei"><resolution>1796</resolution></scheme>
+				</solid>
+			</solid>)"),
+                "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   const MaterialCase &material = import.setup.materials[0];
+   // The first axis is theta, the second r, the third z.
+   CHECK(material.frame.axis == Point3{{1.0, 0.0, 0.0}});
+   REQUIRE(material.solid.solids.size() == 4);
+   const Point3 along = material.solid.solids[1].vectors.at("direction");
+   CHECK(std::abs(along[0]) == Approx(1.0));
+   CHECK(along[1] == Approx(0.0).margin(1e-12));
+   CHECK(material.solid.solids[2].vectors.at("beta") ==
+         Point3{{2.5, 2.0, 3.0}});
+   CHECK(material.solid.solids[2].vectors.at("ksi") == Point3{{5.0, 4.0, 6.0}});
+   const SolidCase &distribution = material.solid.solids[3];
+   CHECK(distribution.parameters.at("b") == 2.0);
+   CHECK(distribution.fibers.model == "fiber_exp_pow");
+   CHECK(distribution.fibers.parameters.at("ksi") == 2.25);
+   CheckCase(import.setup);
+}
+
 TEST_CASE("A symmetry plane holds the displacement across it")
 {
    const std::string plane = R"(<Constraints>

@@ -1,0 +1,176 @@
+#include "synovia/feb/feb_law_words.hpp"
+#include "synovia/feb/feb_laws.hpp"
+#include "synovia/materials/law_registry.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+const std::vector<LawWords> &SolidWords()
+{
+   static const std::vector<LawWords> words{
+      {"neo-Hookean", "neo_hookean", {{"E", "E"}, {"v", "nu"}}},
+      {"Holmes-Mow", "holmes_mow", {{"E", "E"}, {"v", "nu"}, {"beta", "beta"}}},
+      {"isotropic elastic",
+       "saint_venant_kirchhoff",
+       {{"E", "E"}, {"v", "nu"}}},
+      {"coupled Mooney-Rivlin",
+       "mooney_rivlin",
+       {{"c1", "c1"}, {"c2", "c2"}, {"k", "k"}}},
+      {"porous neo-Hookean", "porous_neo_hookean", {{"E", "E"}}},
+      {"fiber-exp-pow",
+       "fiber_exp_pow",
+       {{"alpha", "alpha"},
+        {"beta", "beta"},
+        {"ksi", "ksi"},
+        {"mu", "mu"},
+        {"lam0", "lam0"}}},
+      {"fiber-pow-linear",
+       "fiber_pow_linear",
+       {{"E", "E"}, {"beta", "beta"}, {"lam0", "lam0"}}},
+      {"fiber-NH", "fiber_nh", {{"mu", "mu"}}},
+      {"fiber-natural-NH",
+       "fiber_natural_nh",
+       {{"ksi", "ksi"}, {"lam0", "lam0"}}}};
+   return words;
+}
+
+Point3 Rotated(const Tensor3<> &axes, const Point3 &vector)
+{
+   Point3 rotated{};
+   for (int i = 0; i < 3; i++)
+   {
+      for (int j = 0; j < 3; j++)
+      {
+         rotated[i] += axes[i][j] * vector[j];
+      }
+   }
+   return rotated;
+}
+} // namespace
+
+namespace
+{
+// A child with a number for each of the material's axes, in the order of those
+// of the frame.
+Point3 ReadAlongFrame(const FebInput &from, const std::string &child,
+                      const Tensor3<> &axes, const FrameCase &frame)
+{
+   const std::optional<FebInput> found = from.Find(child);
+   const std::vector<real_t> numbers =
+      found ? found->Numbers() : std::vector<real_t>();
+   Point3 ordered{{1.0, 1.0, 1.0}};
+   if (numbers.size() != 3)
+   {
+      from.Stop("<" + child + "> must have a number for each of three axes");
+      return ordered;
+   }
+   const std::array<int, 3> places = FindAxes(from, axes, frame);
+   for (int a = 0; a < 3; a++)
+   {
+      ordered[places[a]] = numbers[a];
+   }
+   return ordered;
+}
+
+SolidCase ReadEllipsoidal(const FebInput &solid, const Tensor3<> &axes,
+                          const FrameCase &frame)
+{
+   SolidCase result;
+   result.model = "ellipsoidal_fiber_distribution";
+   for (const char *name : {"beta", "ksi"})
+   {
+      result.vectors[name] = ReadAlongFrame(solid, name, axes, frame);
+   }
+   return result;
+}
+
+SolidCase ReadContinuous(const FebInput &solid, const Tensor3<> &axes,
+                         const FrameCase &frame)
+{
+   SolidCase result;
+   result.model = "continuous_fiber_distribution";
+   solid.Ignore("scheme", "directions are as many as the density needs");
+   const std::optional<FebInput> fibers = solid.Find("fibers");
+   const std::optional<FebInput> distribution = solid.Find("distribution");
+   if (!fibers || !distribution)
+   {
+      solid.Stop("<fibers> and <distribution> must be there");
+      return result;
+   }
+   const SolidCase law = ReadSolid(*fibers, axes, frame);
+   result.fibers = {law.model, law.parameters};
+   const LawDescription *known = SolidLaws().Find(law.model);
+   if (!known || !known->is_fiber)
+   {
+      fibers->Stop("this is no law of fibers");
+   }
+   const std::string type = distribution->NeededAttribute("type");
+   if (type == "ellipsoidal")
+   {
+      result.vectors["spa"] = ReadAlongFrame(*distribution, "spa", axes, frame);
+   }
+   else if (type == "von-Mises-3d")
+   {
+      result.parameters["b"] = distribution->Number("b", 0.0);
+   }
+   else if (type != "spherical")
+   {
+      distribution->StopAll("distributions of the type \"" + type +
+                            "\" are not known; there are spherical, "
+                            "ellipsoidal, von-Mises-3d");
+   }
+   return result;
+}
+} // namespace
+
+SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
+                    const FrameCase &frame)
+{
+   SolidCase result;
+   solid.Ignore("density", "inertia is left out");
+   const std::string type = solid.Attribute("type");
+   if (type == "ellipsoidal fiber distribution")
+   {
+      return ReadEllipsoidal(solid, axes, frame);
+   }
+   if (type == "continuous fiber distribution")
+   {
+      return ReadContinuous(solid, axes, frame);
+   }
+   if (type == "solid mixture")
+   {
+      result.model = "mixture";
+      for (const FebInput &part : solid.All("solid"))
+      {
+         result.solids.push_back(ReadSolid(part, axes, frame));
+      }
+      return result;
+   }
+   const LawWords *words = FindLaw(solid, SolidWords(),
+                                   "solid mixture, continuous fiber "
+                                   "distribution, ellipsoidal fiber "
+                                   "distribution");
+   if (!words)
+   {
+      return result;
+   }
+   if (words->law == "porous_neo_hookean")
+   {
+      solid.Ignore("phi0", "that of the biphasic material counts");
+   }
+   const LawDescription &law = *SolidLaws().Find(words->law);
+   result.model = words->law;
+   result.parameters = ReadParameters(solid, *words, law);
+   if (law.is_fiber)
+   {
+      result.vectors["direction"] =
+         InFrame(Rotated(axes, ReadFiber(solid)), frame);
+   }
+   return result;
+}
+
+} // namespace synovia
