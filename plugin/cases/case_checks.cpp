@@ -79,13 +79,6 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
    }
 }
 
-bool IsZero(const LoadCurve &curve)
-{
-   const std::vector<real_t> &times = curve.Corners();
-   return std::all_of(times.begin(), times.end(),
-                      [&](real_t t) { return curve(t) == 0.0; });
-}
-
 // Enters the conditions on a surface, of which some exclude each other.
 void EnterConditions(const BoundaryCase &boundary, const std::string &surface,
                      const std::string &path, Once &once)
@@ -106,7 +99,7 @@ void EnterConditions(const BoundaryCase &boundary, const std::string &surface,
       const std::string along =
          std::string("displacement, traction or force along ") + axes[d];
       enter(boundary.displacement[d].has_value(), "displacement", along);
-      enter(boundary.traction && !IsZero((*boundary.traction)[d]), "traction",
+      enter(boundary.traction && !(*boundary.traction)[d].IsZero(), "traction",
             along);
       enter(boundary.force.Drives(d), "force", along);
    }

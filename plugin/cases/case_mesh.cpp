@@ -35,7 +35,15 @@ NamedMesh ReadCaseMesh(const CaseFile &setup, MPI_Comm comm)
 {
    try
    {
-      return ReadGmsh(setup.mesh.file, comm, setup.mesh.options);
+      ReadOptions options = setup.mesh.options;
+      if (setup.space.deformation == Deformation::finite)
+      {
+         for (const ContactCase &contact : setup.contacts)
+         {
+            options.contacts.push_back({contact.source, contact.destination});
+         }
+      }
+      return ReadGmsh(setup.mesh.file, comm, options);
    }
    catch (const Error &error) // on all ranks alike
    {

@@ -1,5 +1,6 @@
 #include "synovia/general/error.hpp"
 #include "synovia/general/text.hpp"
+#include "synovia/mesh/contact_partitioning.hpp"
 #include "synovia/mesh/flat_mesh.hpp"
 #include "synovia/mesh/gmsh_file.hpp"
 #include "synovia/mesh/named_mesh.hpp"
@@ -132,7 +133,18 @@ NamedMesh Read(const std::string &file, MPI_Comm comm,
       comm, serial, ShareOfElements(serial, comm),
       [&](int element) { return flat.element_numbers[element]; }, flat.regions);
    const std::vector<int> origins = Refine(serial, options.refine);
-   NamedMesh mesh = DistributeMesh(serial, flat.regions, flat.boundaries, comm);
+   int ranks = 1;
+   MPI_Comm_size(comm, &ranks);
+   // Too few elements are an error of DistributeMesh().
+   std::vector<int> partitioning;
+   if (!options.contacts.empty() && serial.GetNE() >= ranks)
+   {
+      partitioning =
+         PartitionByContact(serial, flat.boundaries, options.contacts, ranks);
+   }
+   NamedMesh mesh =
+      DistributeMesh(serial, flat.regions, flat.boundaries, comm,
+                     partitioning.empty() ? nullptr : partitioning.data());
    mesh.SetVectors(LocalVectors(flat, origins, mesh));
    return mesh;
 }

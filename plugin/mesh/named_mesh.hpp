@@ -86,6 +86,13 @@ NamedMesh DistributeMesh(mfem::Mesh &serial, NameTable regions,
                          NameTable boundaries, MPI_Comm comm,
                          const int *partitioning = nullptr);
 
+/// Names of the boundaries on both sides of a contact.
+struct FacingSurfaces
+{
+   std::vector<std::string> source;
+   std::vector<std::string> destination;
+};
+
 /// What ReadGmsh() does to the mesh on its way in.
 struct ReadOptions
 {
@@ -93,6 +100,9 @@ struct ReadOptions
    mfem::real_t scale = 1.0;
    /// How often every element is split uniformly before distribution.
    int refine = 0;
+   /// Where bodies will touch and contact costs as much as they do: ranks share
+   /// it as evenly as the elements.
+   std::vector<FacingSurfaces> contacts;
 };
 
 /// Reads a gmsh mesh (MSH 2.2 and 4.1, ascii and binary; tetrahedra, hexahedra,
