@@ -77,6 +77,7 @@ PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
    problem.PrescribePressure("upper_z1", 0.0);
    ContactOptions contact;
    contact.gap_tolerance = options.gap_tolerance;
+   contact.pressure_tolerance = options.pressure_tolerance;
    problem.AddContact("upper_z0", "lower_z1", contact);
    if (options.body_force)
    {
@@ -87,6 +88,7 @@ PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
    nonlinear.linear.method = options.method;
    nonlinear.linear.relative_tolerance = options.relative_tolerance;
    nonlinear.linear.direct = options.direct;
+   nonlinear.tuning = options.tuning;
    problem.SetNonlinearOptions(nonlinear);
 }
 

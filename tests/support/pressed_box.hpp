@@ -15,8 +15,11 @@ struct PressedBoxOptions
    mfem::real_t relative_tolerance = 1e-11;
    /// Of the contact (length); 0: derived.
    mfem::real_t gap_tolerance = 0.0;
+   /// Of pressure jumps, relative to the largest pressure.
+   mfem::real_t pressure_tolerance = ContactOptions().pressure_tolerance;
    int max_newton = 30;
    DirectOptions direct;
+   SolverTuning tuning;
    /// A rank for each of the elements; METIS decides without.
    const int *partitioning = nullptr;
    /// In the boxes if there is one; borrowed.
