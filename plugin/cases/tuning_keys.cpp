@@ -57,8 +57,6 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "largest_forcing", newton.largest_forcing,
        NumberRange::Inside(0.0, 1.0),
        "part of the nonlinear residual that linear systems may leave");
-   Add(keys, "largest_forcing_multigrid", newton.largest_forcing_multigrid,
-       NumberRange::Inside(0.0, 1.0), "the same with multigrid");
    Add(keys, "forcing_factor", newton.forcing_factor,
        NumberRange::Inside(0.0, 10.0),
        "factor of Eisenstat and Walker's forcing term");

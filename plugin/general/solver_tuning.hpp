@@ -56,11 +56,9 @@ struct NewtonTuning
 {
    /// The linear systems of finite deformation are solved to this part of the
    /// nonlinear residual at least. Larger: cheaper iterations, and more of
-   /// them.
-   mfem::real_t largest_forcing = 1e-2;
-   /// The same with multigrid, whose residual may be all in what moves a rigid
-   /// body.
-   mfem::real_t largest_forcing_multigrid = 1e-4;
+   /// them; what multigrid leaves may be all in what moves a rigid body, and
+   /// the line search refuses steps of large increments.
+   mfem::real_t largest_forcing = 1e-4;
    /// Of Eisenstat and Walker's forcing term, factor of the squared reduction
    /// of the residual in the last iteration.
    mfem::real_t forcing_factor = 0.9;

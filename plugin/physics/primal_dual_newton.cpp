@@ -14,10 +14,7 @@ using namespace mfem;
 bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    const NewtonTuning &tuning = options.tuning.newton;
-   const bool direct = linear.Options().method == LinearMethod::direct;
-   ForcingTerm forcing(direct ? tuning.largest_forcing
-                              : tuning.largest_forcing_multigrid,
-                       tuning.forcing_factor);
+   ForcingTerm forcing(tuning.largest_forcing, tuning.forcing_factor);
    TangentRenewal renewal(tuning);
    int searches = 0;
    set_changed = false;
