@@ -251,61 +251,61 @@ void FollowerLoads::AddMixtureFlux(const Array<int> &marker,
    mixture_fluxes.push_back({marker, value});
 }
 
+template <typename Work>
+void FollowerLoads::ForEachLoad(const std::vector<Load> &loads,
+                                const State &state, const Work &work) const
+{
+   for (const Load &load : loads)
+   {
+      const real_t value = load.value(state.t);
+      ForEachFace(spaces, load.marker, state.u,
+                  [&](LoadedFace &face) { work(face, value); });
+   }
+}
+
 void FollowerLoads::AddLoads(const State &state, Vector &forces,
                              Vector &inflow) const
 {
-   const auto for_all = [&](const std::vector<Load> &loads, const auto &work)
-   {
-      for (const Load &load : loads)
-      {
-         const real_t value = load.value(state.t);
-         ForEachFace(spaces, load.marker, state.u,
-                     [&](LoadedFace &face) { work(face, value); });
-      }
-   };
-   for_all(tractions, [&](LoadedFace &face, real_t value)
-           { AddForces(face, Uniform(value), forces); });
-   for_all(effective_tractions, [&](LoadedFace &face, real_t value)
-           { AddForces(face, Effective(value, state.p), forces); });
-   for_all(fluxes, [&](LoadedFace &face, real_t value)
-           { AddInflow(face, value, inflow); });
-   for_all(mixture_fluxes,
-           [&](LoadedFace &face, real_t value)
-           {
-              AddInflow(face, value, inflow);
-              AddSweptInflow(face, state, inflow);
-           });
+   ForEachLoad(tractions, state,
+               [&](LoadedFace &face, real_t value)
+               { AddForces(face, Uniform(value), forces); });
+   ForEachLoad(effective_tractions, state,
+               [&](LoadedFace &face, real_t value)
+               { AddForces(face, Effective(value, state.p), forces); });
+   ForEachLoad(fluxes, state,
+               [&](LoadedFace &face, real_t value)
+               { AddInflow(face, value, inflow); });
+   ForEachLoad(mixture_fluxes, state,
+               [&](LoadedFace &face, real_t value)
+               {
+                  AddInflow(face, value, inflow);
+                  AddSweptInflow(face, state, inflow);
+               });
 }
 
 void FollowerLoads::AddDerivatives(const State &state, LocalMatrix &stiffness,
                                    LocalMatrix &coupling,
                                    LocalMatrix &flow_change) const
 {
-   const auto for_all = [&](const std::vector<Load> &loads, const auto &work)
-   {
-      for (const Load &load : loads)
-      {
-         const real_t value = load.value(state.t);
-         ForEachFace(spaces, load.marker, state.u,
-                     [&](LoadedFace &face) { work(face, value); });
-      }
-   };
-   for_all(tractions, [&](LoadedFace &face, real_t value)
-           { SubtractForceChange(face, Uniform(value), stiffness); });
-   for_all(effective_tractions,
-           [&](LoadedFace &face, real_t value)
-           {
-              SubtractForceChange(face, Effective(value, state.p), stiffness);
-              AddPressureChange(face, coupling);
-           });
-   for_all(fluxes, [&](LoadedFace &face, real_t value)
-           { SubtractInflowChange(face, state.dt * value, flow_change); });
-   for_all(mixture_fluxes,
-           [&](LoadedFace &face, real_t value)
-           {
-              SubtractInflowChange(face, state.dt * value, flow_change);
-              SubtractSweptChange(face, state, flow_change);
-           });
+   ForEachLoad(tractions, state,
+               [&](LoadedFace &face, real_t value)
+               { SubtractForceChange(face, Uniform(value), stiffness); });
+   ForEachLoad(effective_tractions, state,
+               [&](LoadedFace &face, real_t value)
+               {
+                  SubtractForceChange(face, Effective(value, state.p),
+                                      stiffness);
+                  AddPressureChange(face, coupling);
+               });
+   ForEachLoad(fluxes, state,
+               [&](LoadedFace &face, real_t value)
+               { SubtractInflowChange(face, state.dt * value, flow_change); });
+   ForEachLoad(mixture_fluxes, state,
+               [&](LoadedFace &face, real_t value)
+               {
+                  SubtractInflowChange(face, state.dt * value, flow_change);
+                  SubtractSweptChange(face, state, flow_change);
+               });
 }
 
 } // namespace synovia

@@ -72,6 +72,11 @@ private:
       LoadCurve value;
    };
 
+   /// Calls work(face, value) for each face of each of the loads.
+   template <typename Work>
+   void ForEachLoad(const std::vector<Load> &loads, const State &state,
+                    const Work &work) const;
+
    BiphasicSpaces &spaces;
    std::vector<Load> tractions;
    std::vector<Load> effective_tractions;
