@@ -71,6 +71,10 @@ void CheckMaterials(const CaseFile &setup, CaseReading &reading)
       CheckFrame(material.frame, EntryPath("material", i, "frame"), reading);
       CheckLaws(material, EntryPath("material", i), setup.space.deformation,
                 reading);
+      reading.Require(!material.mean_dilatation || setup.space.order == 1,
+                      EntryPath("material", i, "mean_dilatation"),
+                      "this is for displacements of order 1; those of order " +
+                         std::to_string(setup.space.order) + " don't need it");
       for (const std::string &region : Distinct(material.regions))
       {
          once.Enter(region, path,

@@ -103,6 +103,7 @@ struct MaterialCase
    SolidCase solid;
    PermeabilityCase permeability;
    mfem::real_t solid_fraction = 0.2;
+   bool mean_dilatation = false;
    FrameCase frame;
 };
 

@@ -133,6 +133,10 @@ KeyTable MaterialKeys(MaterialCase &material)
              "volume fraction of the solid")
       .Inside(0.0, 1.0)
       .Named("the solid fraction");
+   keys.Value("mean_dilatation", material.mean_dilatation, "",
+              "whether the solid sees each element's mean change of volume: "
+              "with order 1, hexahedra and wedges of a nearly incompressible "
+              "solid (nu above 0.4) are too stiff without");
    keys.Table("frame", FrameKeys(material.frame),
               "axes r, theta, z of fibers, of the undeformed body");
    return keys;

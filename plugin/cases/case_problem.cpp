@@ -301,8 +301,9 @@ void CaseProblem::SetMaterial(const MaterialCase &material)
       PermeabilityLaws().Make(material.permeability.model, from));
    for (const std::string &region : material.regions)
    {
-      problem.SetMaterial(region, solid, *permeabilities.back(),
-                          material.solid_fraction);
+      problem.SetMaterial(region,
+                          {&solid, permeabilities.back().get(),
+                           material.solid_fraction, material.mean_dilatation});
    }
 }
 

@@ -1,6 +1,8 @@
 #include "synovia/checks/material_warnings.hpp"
 #include "synovia/general/text.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -10,6 +12,9 @@ namespace
 {
 // A bulk modulus of a hundred times the shear modulus.
 constexpr real_t nearly_incompressible = 0.495;
+
+// Above it, hexahedra and wedges of order 1 are visibly too stiff.
+constexpr real_t locking = 0.45;
 
 void AddWarnings(const SolidCase &solid, const std::string &path,
                  const CasePlaces &places, std::vector<std::string> &warnings)
@@ -31,6 +36,31 @@ void AddWarnings(const SolidCase &solid, const std::string &path,
                   places, warnings);
    }
 }
+
+real_t LargestPoissonRatio(const SolidCase &solid)
+{
+   const auto poisson = solid.parameters.find("nu");
+   real_t largest = poisson != solid.parameters.end() ? poisson->second : 0.0;
+   for (const SolidCase &part : solid.solids)
+   {
+      largest = std::max(largest, LargestPoissonRatio(part));
+   }
+   return largest;
+}
+
+void AddLockingWarning(const MaterialCase &material, const std::string &path,
+                       const CasePlaces &places,
+                       std::vector<std::string> &warnings)
+{
+   const real_t poisson = LargestPoissonRatio(material.solid);
+   if (poisson > locking && !material.mean_dilatation)
+   {
+      warnings.push_back(
+         WhereIs(places, path + ".solid") + ": with nu = " + ToText(poisson) +
+         " hexahedra and wedges of order 1 are too stiff; add "
+         "mean_dilatation = true to the material, or take space.order = 2");
+   }
+}
 } // namespace
 
 std::vector<std::string> FindMaterialWarnings(const CaseFile &setup)
@@ -38,9 +68,13 @@ std::vector<std::string> FindMaterialWarnings(const CaseFile &setup)
    std::vector<std::string> warnings;
    for (size_t i = 0; i < setup.materials.size(); i++)
    {
-      AddWarnings(setup.materials[i].solid,
-                  "material." + std::to_string(i) + ".solid", setup.places,
+      const std::string path = "material." + std::to_string(i);
+      AddWarnings(setup.materials[i].solid, path + ".solid", setup.places,
                   warnings);
+      if (setup.space.order == 1)
+      {
+         AddLockingWarning(setup.materials[i], path, setup.places, warnings);
+      }
    }
    return warnings;
 }

@@ -6,6 +6,12 @@ namespace synovia
 
 using namespace mfem;
 
+namespace
+{
+// Where d u_a / d x_d is among the strains, and the stress that it works on.
+constexpr int voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+} // namespace
+
 const IntegrationRule &
 EffectiveStressIntegrator::Rule(const FiniteElement &el,
                                 const ElementTransformation &trans)
@@ -20,34 +26,96 @@ void EffectiveStressIntegrator::AssembleElementMatrix(
    const int dofs = el.GetDof();
    elmat.SetSize(3 * dofs);
    elmat = 0.0;
-   const SolidLaw &law = *materials.Get(trans.Attribute).solid;
+   const Material &material = materials.Get(trans.Attribute);
+   const SolidLaw &law = *material.solid;
    const IntegrationRule &rule = IntRule ? *IntRule : Rule(el, trans);
    const DofToQuad &maps = el.GetDofToQuad(rule, DofToQuad::FULL);
    const int points = rule.GetNPoints();
-   reference.SetSize(dofs, 3);
-   gradients.SetSize(dofs, 3);
+   if (material.mean_dilatation)
+   {
+      FindMeanGradients(maps, rule, trans);
+   }
    for (int q = 0; q < points; q++)
    {
       const IntegrationPoint &ip = rule.IntPoint(q);
       trans.SetIntPoint(&ip);
-      for (int d = 0; d < 3; d++)
-      {
-         for (int i = 0; i < dofs; i++)
-         {
-            reference(i, d) = maps.G[q + points * (d + 3 * i)];
-         }
-      }
-      Mult(reference, trans.InverseJacobian(), gradients);
+      FindGradients(maps, q, trans);
       law.GetStiffness(trans, ip, stiffness);
       stiffness *= ip.weight * trans.Weight();
-      AddPoint(elmat);
+      if (material.mean_dilatation)
+      {
+         AddPointOfMeanDilatation(elmat);
+      }
+      else
+      {
+         AddPoint(elmat);
+      }
    }
+}
+
+void EffectiveStressIntegrator::FindGradients(const DofToQuad &maps, int point,
+                                              ElementTransformation &trans)
+{
+   reference.SetSize(maps.ndof, 3);
+   gradients.SetSize(maps.ndof, 3);
+   for (int d = 0; d < 3; d++)
+   {
+      for (int i = 0; i < maps.ndof; i++)
+      {
+         reference(i, d) = maps.G[point + maps.nqpt * (d + 3 * i)];
+      }
+   }
+   Mult(reference, trans.InverseJacobian(), gradients);
+}
+
+void EffectiveStressIntegrator::FindMeanGradients(const DofToQuad &maps,
+                                                  const IntegrationRule &rule,
+                                                  ElementTransformation &trans)
+{
+   real_t volume = 0.0;
+   mean_gradients.SetSize(maps.ndof, 3);
+   mean_gradients = 0.0;
+   for (int q = 0; q < maps.nqpt; q++)
+   {
+      const IntegrationPoint &ip = rule.IntPoint(q);
+      trans.SetIntPoint(&ip);
+      FindGradients(maps, q, trans);
+      const real_t weight = ip.weight * trans.Weight();
+      volume += weight;
+      mean_gradients.Add(weight, gradients);
+   }
+   mean_gradients *= 1.0 / volume;
+}
+
+void EffectiveStressIntegrator::AddPointOfMeanDilatation(
+   DenseMatrix &elmat) const
+{
+   const int dofs = gradients.Height();
+   DenseMatrix strains(6, 3 * dofs);
+   strains = 0.0;
+   for (int b = 0; b < 3; b++)
+   {
+      for (int j = 0; j < dofs; j++)
+      {
+         real_t *const strain = strains.GetColumn(j + b * dofs);
+         for (int d = 0; d < 3; d++)
+         {
+            strain[voigt[b][d]] = gradients(j, d);
+         }
+         const real_t more = (mean_gradients(j, b) - gradients(j, b)) / 3.0;
+         for (int k = 0; k < 3; k++)
+         {
+            strain[k] += more;
+         }
+      }
+   }
+   DenseMatrix stresses(6, 3 * dofs);
+   Mult(stiffness, strains, stresses);
+   AddMultAtB(strains, stresses, elmat);
 }
 
 void EffectiveStressIntegrator::AddPoint(DenseMatrix &elmat) const
 {
-   // Where d u_a / d x_d is among the strains, and the stress that it works on.
-   constexpr int voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
    const int dofs = gradients.Height();
    const real_t *const dx = gradients.GetColumn(0);
    const real_t *const dy = gradients.GetColumn(1);

@@ -5,7 +5,9 @@
 namespace synovia
 {
 
-/// (C eps(u), eps(w)) with the solid law of each element's attribute.
+/// (C eps(u), eps(w)) with the solid law of each element's attribute, and with
+/// the mean dilatation of the element where the material says so (B-bar,
+/// T. J. R. Hughes, Int. J. Numer. Methods Eng. 15:1413-1418, 1980).
 class EffectiveStressIntegrator : public mfem::BilinearFormIntegrator
 {
 public:
@@ -28,11 +30,21 @@ private:
    /// Adds the work of a point with the members' gradients and stiffness, which
    /// has the point's weight.
    void AddPoint(mfem::DenseMatrix &elmat) const;
+   /// The same where strains have the mean dilatation, with the
+   /// mean_gradients.
+   void AddPointOfMeanDilatation(mfem::DenseMatrix &elmat) const;
+   /// Sets the gradients at a point that @a trans is set to.
+   void FindGradients(const mfem::DofToQuad &maps, int point,
+                      mfem::ElementTransformation &trans);
+   void FindMeanGradients(const mfem::DofToQuad &maps,
+                          const mfem::IntegrationRule &rule,
+                          mfem::ElementTransformation &trans);
 
    const MaterialTable &materials;
    /// Of the shape functions, dofs x 3, in the reference element and in space.
    mfem::DenseMatrix reference;
    mfem::DenseMatrix gradients;
+   mfem::DenseMatrix mean_gradients;
    mfem::DenseMatrix stiffness;
 };
 

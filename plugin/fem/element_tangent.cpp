@@ -1,4 +1,5 @@
 #include "synovia/fem/element_tangent.hpp"
+#include "synovia/fem/gradient_contraction.hpp"
 #include "synovia/materials/tangent3.hpp"
 
 #include <algorithm>
@@ -10,22 +11,6 @@ using namespace mfem;
 
 namespace
 {
-// contracted_bj = sum_d A_bd g_jd with the gradients g_j at a point.
-void Contract(const Tensor3<> &A, const DenseMatrix &gradients, int point,
-              real_t *contracted)
-{
-   const int dofs = gradients.Height();
-   const real_t *const g = gradients.GetColumn(3 * point);
-   for (int b = 0; b < 3; b++)
-   {
-      for (int j = 0; j < dofs; j++)
-      {
-         contracted[b * dofs + j] =
-            A[b][0] * g[j] + A[b][1] * g[dofs + j] + A[b][2] * g[2 * dofs + j];
-      }
-   }
-}
-
 // The derivatives of a component of a tensor by F.
 Tensor3<> Row(const Tangent3 &tangent, int component)
 {
@@ -46,9 +31,29 @@ Tensor3<> FlowChange(const Tangent3 &tangent, const Vector3<> &grad_p, int a)
 }
 } // namespace
 
-bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
-                             const PermeabilityLaw &permeability, real_t dt)
+bool ElementTangent::GetSolidTangent(BodyElement &element,
+                                     const Material &material, int q,
+                                     Tangent3 &solid)
 {
+   const Tensor3<> F = element.DeformationGradient(q);
+   if (material.mean_dilatation)
+   {
+      solid = mean_dilatation.Tangent(q);
+      return true;
+   }
+   Tensor3<> stress;
+   return det(F) > 0.0 &&
+          material.solid->GetStress(element.Point(q), F, stress, &solid);
+}
+
+bool ElementTangent::Compute(BodyElement &element, const Material &material,
+                             real_t dt)
+{
+   if (material.mean_dilatation &&
+       !mean_dilatation.Linearize(element, *material.solid))
+   {
+      return false;
+   }
    const DenseMatrix &gradients = element.Gradients();
    const DenseMatrix &p_gradients = element.PressureGradients();
    const int nodes = gradients.Height();
@@ -64,8 +69,7 @@ bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
    {
       const real_t weight = element.Weight(q);
       const Tensor3<> F = element.DeformationGradient(q);
-      if (!(det(F) > 0.0) ||
-          !solid.GetStress(element.Point(q), F, value, &tangent))
+      if (!GetSolidTangent(element, material, q, tangent))
       {
          return false;
       }
@@ -75,12 +79,15 @@ bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
       {
          for (int a = 0; a < 3; a++)
          {
-            Contract(Row(tangent, 3 * a + c), gradients, q,
-                     stress_changes.GetColumn(3 * q + c) + 3 * nodes * a);
+            ContractGradients(Row(tangent, 3 * a + c), gradients, q,
+                              stress_changes.GetColumn(3 * q + c) +
+                                 3 * nodes * a);
          }
       }
-      Contract(weight * Cofactor(F), gradients, q, volume_changes.GetColumn(q));
-      if (!permeability.GetReferential(element.Point(q), F, value, &tangent))
+      ContractGradients(weight * Cofactor(F), gradients, q,
+                        volume_changes.GetColumn(q));
+      if (!material.permeability->GetReferential(element.Point(q), F, value,
+                                                 &tangent))
       {
          return false;
       }
@@ -89,10 +96,10 @@ bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
       const Vector3<> grad_p = element.PressureGradient(q);
       for (int a = 0; a < 3; a++)
       {
-         Contract(FlowChange(tangent, grad_p, a), gradients, q,
-                  flow_changes.GetColumn(3 * q + a));
+         ContractGradients(FlowChange(tangent, grad_p, a), gradients, q,
+                           flow_changes.GetColumn(3 * q + a));
       }
-      Contract(value, p_gradients, q, flows.GetColumn(3 * q));
+      ContractGradients(value, p_gradients, q, flows.GetColumn(3 * q));
    }
 
    stiffness_rows.SetSize(nodes, 9 * nodes);
@@ -105,6 +112,10 @@ bool ElementTangent::Compute(BodyElement &element, const SolidLaw &solid,
          const real_t *const rows = stiffness_rows.GetColumn(3 * nodes * a + j);
          std::copy(rows, rows + nodes, stiffness.GetColumn(j) + a * nodes);
       }
+   }
+   if (material.mean_dilatation)
+   {
+      mean_dilatation.AddCoupling(element, stiffness);
    }
    growth.SetSize(p_dofs, 3 * nodes);
    MultABt(element.PressureShapes(), volume_changes, growth);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "synovia/fem/body_element.hpp"
-#include "synovia/materials/permeability_law.hpp"
-#include "synovia/materials/solid_law.hpp"
+#include "synovia/fem/mean_dilatation.hpp"
+#include "synovia/materials/material_table.hpp"
 
 namespace synovia
 {
@@ -19,8 +19,8 @@ class ElementTangent
 public:
    /// Of the element that @a element is set to; false if its state is one that
    /// a law does not allow.
-   bool Compute(BodyElement &element, const SolidLaw &solid,
-                const PermeabilityLaw &permeability, mfem::real_t dt);
+   bool Compute(BodyElement &element, const Material &material,
+                mfem::real_t dt);
 
    mfem::DenseMatrix stiffness;
    mfem::DenseMatrix growth;
@@ -28,6 +28,12 @@ public:
    mfem::DenseMatrix darcy;
 
 private:
+   /// The derivative of the stress at a point by F there; false where the law
+   /// has none.
+   bool GetSolidTangent(BodyElement &element, const Material &material,
+                        int point, Tangent3 &solid);
+
+   MeanDilatation mean_dilatation;
    // Gradients of shape functions contracted with tensors, all points beside
    // each other: factors of the products that make the matrices.
    mfem::DenseMatrix stress_changes;

@@ -212,9 +212,11 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
                                      Vector &mass) const
 {
    const Material &material = materials.Get(element.Attribute());
-   const SolidLaw &solid = *material.solid;
    const PermeabilityLaw &permeability = *material.permeability;
    const int points = element.Points();
+   const bool mean_possible =
+      !material.mean_dilatation ||
+      mean_dilatation.Evaluate(element, *material.solid);
    DenseMatrix stresses(3 * points, 3);
    Vector growths(points);
    Vector flows(3 * points);
@@ -227,8 +229,8 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
       const real_t J = Determinant(F, cofactor);
       const MaterialPoint point = element.Point(q);
       const bool possible =
-         J > material.solid_fraction &&
-         solid.GetStress(point, F, stress, nullptr) &&
+         mean_possible && J > material.solid_fraction &&
+         GetStress(material, q, F, stress) &&
          permeability.GetReferential(point, F, conductance, nullptr);
       const real_t weight = possible ? element.Weight(q)
                                      : std::numeric_limits<real_t>::quiet_NaN();
@@ -258,6 +260,17 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
    element.PressureShapes().Mult(growths, volumes);
    element.PressureSlopes().AddMult(flows, volumes);
    mass.AddElementVector(element.PressureDofs(), volumes);
+}
+
+bool TotalLagrangianForm::GetStress(const Material &material, int point,
+                                    const Tensor3<> &F, Tensor3<> &stress) const
+{
+   if (material.mean_dilatation)
+   {
+      stress = mean_dilatation.Stress(point);
+      return true;
+   }
+   return material.solid->GetStress(element.Point(point), F, stress, nullptr);
 }
 
 void TotalLagrangianForm::AddStabilization(const BodyStage &stage,
@@ -382,7 +395,9 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
       what = "has no pores left, as its solid fraction is " +
              ToText(material.solid_fraction);
    }
-   else if (!material.solid->GetStress(element.Point(point), F, value, nullptr))
+   else if (material.mean_dilatation
+               ? !mean_dilatation.Evaluate(element, *material.solid)
+               : !GetStress(material, point, F, value))
    {
       what = "has no finite stress";
    }
@@ -406,10 +421,9 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
 bool TotalLagrangianForm::LinearizeElement(BodyElement &points, int number,
                                            real_t dt)
 {
-   const Material &material =
-      materials.Get(spaces.GetMesh().GetAttribute(number));
    points.Set(number, u, p);
-   return tangent.Compute(points, *material.solid, *material.permeability, dt);
+   return tangent.Compute(
+      points, materials.Get(spaces.GetMesh().GetAttribute(number)), dt);
 }
 
 void TotalLagrangianForm::LinearizeElement(int number, real_t dt)

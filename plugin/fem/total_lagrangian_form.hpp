@@ -72,6 +72,10 @@ private:
    /// impossible.
    void AddElement(const BodyStage &stage, mfem::Vector &momentum,
                    mfem::Vector &mass) const;
+   /// The effective stress at a point of the element, after Evaluate() where
+   /// the material has a mean dilatation; false where the law has no value.
+   bool GetStress(const Material &material, int point, const Tensor3<> &F,
+                  Tensor3<> &stress) const;
    void AddStabilization(const BodyStage &stage, mfem::Vector &mass) const;
    void AddSprings();
    /// Sets what terms cancel where nothing is deformed.
@@ -108,6 +112,7 @@ private:
    /// For tangents, where it has fewer points; else null.
    std::unique_ptr<BodyElement> straight_element;
    ElementTangent tangent;
+   mutable MeanDilatation mean_dilatation;
    /// Local dofs.
    mutable mfem::Vector u;
    mutable mfem::Vector u0;

@@ -16,6 +16,10 @@ struct Material
    /// phi_s, the volume fraction of the solid; it splits the total stress into
    /// solid and fluid parts and does not enter the balance laws.
    mfem::real_t solid_fraction = 0.2;
+   /// Whether the solid sees the mean change of volume of each element instead
+   /// of those of its points: nearly incompressible solids don't lock then on
+   /// hexahedra and wedges of order 1. Tetrahedra of order 1 stay as they are.
+   bool mean_dilatation = false;
 };
 
 /// The material of each element attribute.

@@ -30,8 +30,21 @@ void BiphasicProblem::SetMaterial(const std::string &region,
                                   const PermeabilityLaw &permeability,
                                   real_t solid_fraction)
 {
+   SetMaterial(region, {&solid, &permeability, solid_fraction});
+}
+
+void BiphasicProblem::SetMaterial(const std::string &region,
+                                  const Material &material)
+{
    VerifyOpen();
-   materials.Set(mesh.Region(region), {&solid, &permeability, solid_fraction});
+   if (material.mean_dilatation && spaces.Order() > 1)
+   {
+      throw Error("region \"" + region +
+                  "\": mean_dilatation is for displacements of order 1; those "
+                  "of order " +
+                  std::to_string(spaces.Order()) + " don't need it");
+   }
+   materials.Set(mesh.Region(region), material);
 }
 
 BiphasicProblem::Support &

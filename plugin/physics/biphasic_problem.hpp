@@ -41,6 +41,9 @@ public:
    void SetMaterial(const std::string &region, const SolidLaw &solid,
                     const PermeabilityLaw &permeability,
                     mfem::real_t solid_fraction = 0.2);
+   /// The same with all that a material has. Throws Error if mean_dilatation is
+   /// asked of displacements of order 2 or more.
+   void SetMaterial(const std::string &region, const Material &material);
 
    /// All components zero.
    void FixDisplacement(const std::string &boundary);

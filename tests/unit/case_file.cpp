@@ -344,6 +344,10 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       {"surfaces = \"top\"",
        "surfaces = \"top\"\nforce = {direction = [0, 0, 1]}",
        {"boundary.1.force", "there is a direction, but no curve"}},
+      {"permeability = {value = 4e-3}",
+       "permeability = {value = 4e-3}\nmean_dilatation = true\n[space]\norder "
+       "= 2",
+       {"material.0.mean_dilatation", "order 1", "order 2 don't need it"}},
       {"E = 0.5",
        "E = 0.5, E_r = 2",
        {"material.0.solid.E_r", "\"transversely_isotropic\"",

@@ -126,6 +126,18 @@ TEST_CASE("A drained solid that is nearly incompressible", "[warnings]")
    CHECK(WarningsOf(Replaced(pressed_layer, "nu = 0.1", "nu = 0.49")) == "");
 }
 
+TEST_CASE("A solid that order 1 makes too stiff", "[warnings]")
+{
+   const std::string text =
+      "space.order = 1\n" + Replaced(pressed_layer, "nu = 0.1", "nu = 0.46");
+   CheckOneWarning(WarningsOf(text),
+                   {"case.toml:6:", "material.0.solid", "nu = 0.46",
+                    "mean_dilatation = true", "space.order = 2"});
+   CHECK(WarningsOf(
+            Replaced(text, "regions = [\"lower\"]",
+                     "regions = [\"lower\"]\nmean_dilatation = true")) == "");
+}
+
 TEST_CASE("A plane of symmetry that was forgotten", "[warnings]")
 {
    const std::string without_y = Replaced(pressed_layer, R"([[boundary]]

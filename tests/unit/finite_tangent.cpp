@@ -46,17 +46,20 @@ NamedMesh MakeSkewedBox(Element::Type type)
 class DeformedBody
 {
 public:
-   DeformedBody(Element::Type type, int order, bool stiffening)
+   DeformedBody(Element::Type type, int order, bool stiffening,
+                bool mean_dilatation = false)
       : mesh(MakeSkewedBox(type)), spaces(mesh.Get(), order),
         conditions(spaces, Deformation::finite)
    {
       if (stiffening)
       {
-         materials.Set(mesh.Region("body"), {&holmes_mow, &closing, 0.2});
+         materials.Set(mesh.Region("body"),
+                       {&holmes_mow, &closing, 0.2, mean_dilatation});
       }
       else
       {
-         materials.Set(mesh.Region("body"), {&neo_hookean, &constant, 0.2});
+         materials.Set(mesh.Region("body"),
+                       {&neo_hookean, &constant, 0.2, mean_dilatation});
       }
       conditions.AddSprings(mesh.Boundary("z0"), 2.0);
       conditions.AddNormalTraction(mesh.Boundary("z1"), Ramp(1.0, -0.7));
@@ -174,16 +177,9 @@ real_t RelativeDifference(const Vector &a, const Vector &b)
    REQUIRE(Size(b) > 0.0);
    return Size(difference) / Size(b);
 }
-} // namespace
 
-TEST_CASE("The tangent of deformed bodies is the derivative of their residual")
+void CheckTangent(DeformedBody &body)
 {
-   const auto type =
-      GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON, Element::WEDGE);
-   const int order = GENERATE(1, 2, 3);
-   const bool stiffening = GENERATE(false, true);
-   CAPTURE(static_cast<int>(type), order, stiffening);
-   DeformedBody body(type, order, stiffening);
    const Vector du = body.Random(body.Stage().u.Size(), 1.0);
    const Vector dp = body.Random(body.Stage().p.Size(), 1.0);
    Vector no_u(du);
@@ -202,4 +198,59 @@ TEST_CASE("The tangent of deformed bodies is the derivative of their residual")
    CHECK(RelativeDifference(by_p_differences.momentum, by_p.momentum) <
          tolerance);
    CHECK(RelativeDifference(by_p_differences.mass, by_p.mass) < tolerance);
+}
+} // namespace
+
+TEST_CASE("The tangent of deformed bodies is the derivative of their residual")
+{
+   const auto type =
+      GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON, Element::WEDGE);
+   const int order = GENERATE(1, 2, 3);
+   const bool stiffening = GENERATE(false, true);
+   CAPTURE(static_cast<int>(type), order, stiffening);
+   DeformedBody body(type, order, stiffening);
+   CheckTangent(body);
+}
+
+TEST_CASE("So is that of bodies with a mean dilatation")
+{
+   const auto type =
+      GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON, Element::WEDGE);
+   const bool stiffening = GENERATE(false, true);
+   CAPTURE(static_cast<int>(type), stiffening);
+   DeformedBody body(type, 1, stiffening, true);
+   CheckTangent(body);
+}
+
+TEST_CASE("At rest the tangent is the stiffness of infinitesimal deformation")
+{
+   const bool mean_dilatation = GENERATE(false, true);
+   CAPTURE(mean_dilatation);
+   NamedMesh mesh = MakeSkewedBox(Element::HEXAHEDRON);
+   BiphasicSpaces spaces(mesh.Get(), 1);
+   const BoundaryConditions conditions(spaces, Deformation::finite);
+   const NeoHookean solid(0.5, 0.45);
+   const ConstantPermeability permeability(0.4);
+   MaterialTable materials;
+   materials.Set(mesh.Region("body"),
+                 {&solid, &permeability, 0.2, mean_dilatation});
+   TotalLagrangianForm form(mesh, spaces, materials, conditions.Springs(),
+                            conditions.Followers());
+   BodyStage rest;
+   rest.u.SetSize(spaces.Displacement().GetTrueVSize());
+   rest.p.SetSize(spaces.Pressure().GetTrueVSize());
+   rest.u = 0.0;
+   rest.p = 0.0;
+   rest.u0 = rest.u;
+   rest.p0 = rest.p;
+   rest.dt = 0.3;
+   form.GetConserved(rest.u, rest.conserved0);
+   Vector du(rest.u.Size());
+   du.Randomize(1 + Mpi::WorldRank());
+   Vector expected(du.Size());
+   Vector found(du.Size());
+   VolumeMatrices(spaces, materials).stiffness->Mult(du, expected);
+   form.Linearize(rest);
+   form.Tangent().stiffness->Mult(du, found);
+   CHECK(RelativeDifference(found, expected) < 1e-13);
 }
