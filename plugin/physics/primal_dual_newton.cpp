@@ -77,6 +77,11 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       }
       set_changed = contact.Update(stage, ContactStiffness::bodies);
       evaluated = !set_changed;
+      if (set_changed)
+      {
+         // Points that have drifted would change a settled set once more.
+         contact.SearchDrifted(stage, ContactStiffness::bodies);
+      }
    }
    return contact.FailIterations(options.max_newton);
 }
