@@ -15,6 +15,11 @@
         surfaces lower_bottom, lower_top, lower_sides_x, lower_sides_y, and the
                  same of the upper column
 
+    column_on_plate           a column, 0.4 x 0.4 x 1, on a plate, 0.1 thick,
+        regions  plate, column                  with meshes that don't match
+        surfaces plate_bottom, plate_top, plate_sides_x, plate_sides_y, and the
+                 same of the column
+
 Hexahedra, finer towards the surface where fluid leaves.
 
 Sample runs:
@@ -22,6 +27,7 @@ Sample runs:
   scripts/run_python meshes/boxes.py unconfined_compression -o disc.msh
   scripts/run_python meshes/boxes.py two_columns -o two_columns.msh
   scripts/run_python meshes/boxes.py two_columns -o coarse.msh --size 2
+  scripts/run_python meshes/boxes.py column_on_plate -o plate.msh --size 2
 """
 
 from __future__ import annotations
@@ -96,6 +102,12 @@ def two_columns(size: float) -> dict[str, Body]:
                          2.0, "upper_")}
 
 
+def column_on_plate(size: float) -> dict[str, Body]:
+    return {"plate": box(0.4, -0.1, 0.1, (count(3, size), 1), 1.0, "plate_"),
+            "column": box(0.4, 0.0, 1.0, (count(2, size), count(16, size)),
+                          1.5, "column_")}
+
+
 def unconfined_compression(size: float) -> dict[str, Body]:
     radius, height = 1.5, 0.25
     gmsh.model.add("disc")
@@ -119,7 +131,8 @@ def unconfined_compression(size: float) -> dict[str, Body]:
 
 
 CASES = {function.__name__: function for function in
-         (confined_compression, unconfined_compression, two_columns)}
+         (confined_compression, unconfined_compression, two_columns,
+          column_on_plate)}
 
 
 def parse(argv: list[str] | None = None) -> argparse.Namespace:

@@ -104,8 +104,7 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
-   VerifySize(EstimateLayers(options.Layers(), options.order, Mpi::WorldSize()),
-              MPI_COMM_WORLD);
+   VerifySize(EstimateLayers(options.Layers(), options.order), MPI_COMM_WORLD);
    NamedMesh mesh = MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);
    const H1_FECollection elements(options.order, 3);
    // Partial assembly asks for this ordering.

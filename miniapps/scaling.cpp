@@ -38,7 +38,10 @@
 //   scaling --order 3 --size 4 --jump 1e4 --solver block_amg
 //   scaling --no-contact --deformation finite --compression 0.3
 
+#include "audit/rank_record.hpp"
+
 #include "synovia/general/option_range.hpp"
+#include "synovia/general/profiled_phase.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/resource_use.hpp"
 #include "synovia/io/csv_row.hpp"
@@ -66,6 +69,7 @@ struct Options
    const char *deformation = "infinitesimal";
    const char *law = "neo_hookean";
    const char *csv = "";
+   const char *rank_records = "";
    int size = 8;
    int upper_size = 0;
    int refine = 0;
@@ -119,6 +123,8 @@ struct Options
                      "0 solves every linear system to the end.");
       args.AddOption(&csv, "-csv", "--csv",
                      "Append a row to this file, which is made if need be.");
+      args.AddOption(&rank_records, "-rr", "--rank-records",
+                     "What each rank holds goes to this name with .RANK.csv.");
       if (!ParseCommandLine(args))
       {
          return false;
@@ -423,6 +429,30 @@ void AddRates(BiphasicProblem &problem, const Totals &totals, real_t seconds,
    row.Add("memory_max", use.memory_max);
 }
 
+/// How much of the problem this rank has.
+void AddShare(BiphasicProblem &problem, RankRecord &record)
+{
+   BiphasicSpaces &spaces = problem.Spaces();
+   record.Add("elements", spaces.GetMesh().GetNE());
+   record.Add("dofs", spaces.Displacement().GetTrueVSize() +
+                         spaces.Pressure().GetTrueVSize());
+   real_t faces = 0.0;
+   for (const ContactPair *pair : problem.Operator().Pairs())
+   {
+      faces +=
+         static_cast<real_t>(pair->Geometry().Source().Faces().size() +
+                             pair->Geometry().Destination().Faces().size());
+   }
+   record.Add("contact_faces", faces);
+   SparseMatrix rows;
+   problem.Operator()
+      .Equations()
+      .Bodies()
+      .Tangent()
+      .stiffness->MergeDiagAndOffd(rows);
+   record.Add("entries", rows.NumNonZeroElems());
+}
+
 /// What the results can be checked by.
 void AddResults(BiphasicProblem &problem, const Totals &totals, CsvRow &row)
 {
@@ -458,6 +488,12 @@ void AddTimes(const PhaseTimes &phases, real_t mesh, real_t total, CsvRow &row)
    add("total", total);
 }
 
+NamedMesh MakeLayers(const Options &options)
+{
+   const ProfiledPhase phase("mesh");
+   return MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);
+}
+
 int Run(int argc, char *argv[])
 {
    Options options;
@@ -465,17 +501,21 @@ int Run(int argc, char *argv[])
    {
       return 0;
    }
-   VerifySize(EstimateLayers(options.Layers(), options.order, Mpi::WorldSize()),
-              MPI_COMM_WORLD);
+   VerifySize(EstimateLayers(options.Layers(), options.order), MPI_COMM_WORLD);
+   RankRecord record;
    StopWatch watch;
    watch.Start();
-   NamedMesh mesh = MakeCurvedLayers(options.Layers(), MPI_COMM_WORLD);
+   NamedMesh mesh = MakeLayers(options);
    const real_t mesh_seconds = watch.RealTime();
+   record.AddMemoryOf("mesh");
    Joint joint(options, mesh);
    BiphasicProblem &problem = joint.Problem();
+   problem.Operator();
+   record.AddMemoryOf("equations");
    TimeStepper stepper(problem, options.Times());
    const Totals totals = March(stepper);
    const real_t seconds = watch.RealTime() - mesh_seconds;
+   record.AddMemoryOf("steps");
 
    CsvRow row;
    AddOptions(options, row);
@@ -492,6 +532,13 @@ int Run(int argc, char *argv[])
    if (*options.csv)
    {
       row.AppendTo(options.csv, MPI_COMM_WORLD);
+   }
+   if (*options.rank_records)
+   {
+      AddShare(problem, record);
+      record.Add("memory_peak", GetPeakMemory());
+      record.Write(std::string(options.rank_records) + "." +
+                   std::to_string(Mpi::WorldRank()) + ".csv");
    }
    return totals.reason.empty() ? 0 : 3;
 }

@@ -20,6 +20,7 @@ from __future__ import annotations
 import argparse
 import os
 import pathlib
+import signal
 import sys
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent
@@ -193,6 +194,8 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
 
 def main(argv: list[str] | None = None) -> int:
     args = parse(argv)
+    # A scheduler's way to say what Ctrl-C says.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     extent = sweeps.QUICK if args.quick else sweeps.FULL
     wanted = [sweep for sweep in sweeps.make_sweeps(extent, args.ranks)
               if not args.sweep or sweep.name in args.sweep]

@@ -1,4 +1,5 @@
 #include "synovia/cases/case_checks.hpp"
+#include "synovia/cases/connection_checks.hpp"
 #include "synovia/cases/key_names.hpp"
 #include "synovia/cases/law_checks.hpp"
 #include "synovia/cases/name_checks.hpp"
@@ -216,7 +217,15 @@ void CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
    {
       const RigidBodyCase &body = setup.rigid_bodies[i];
       const std::string path = EntryPath("rigid_body", i);
-      CheckNames(body.surfaces, path + ".surfaces", "surface", reading);
+      // Regions and a shape do without.
+      if (!body.surfaces.empty() || body.AllRegions().empty())
+      {
+         CheckNames(body.surfaces, path + ".surfaces", "surface", reading);
+      }
+      if (!body.regions.empty())
+      {
+         CheckNames(body.regions, path + ".regions", "region", reading);
+      }
       reading.Require(!body.name.empty() || reading.HasError(path + ".name"),
                       path + ".name", "the name is empty");
       if (!body.name.empty())
@@ -324,6 +333,11 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
       reading.Require(contact.options.quadrature_order != 3,
                       path + ".quadrature_order",
                       "found 3, which has negative weights; take 4");
+      reading.Require(contact.options.friction.coefficient == 0.0 ||
+                         setup.space.deformation == Deformation::finite,
+                      path + ".friction",
+                      "there is friction in finite deformation only; set "
+                      "physics.deformation = \"finite\", or leave it out");
    }
 }
 
@@ -403,8 +417,23 @@ void CheckMesh(const MeshCase &mesh, CaseReading &reading)
 }
 } // namespace
 
+namespace
+{
+void CheckAcceleration(const CaseFile &setup, CaseReading &reading)
+{
+   const bool heavy = std::any_of(
+      setup.materials.begin(), setup.materials.end(),
+      [](const MaterialCase &material)
+      { return material.solid_density > 0.0 || material.fluid_density > 0.0; });
+   reading.Require(!setup.acceleration || heavy, "physics.acceleration",
+                   "no material has a density; give solid_density, "
+                   "fluid_density or both");
+}
+} // namespace
+
 void CheckConditions(const CaseFile &setup, CaseReading &reading)
 {
+   CheckAcceleration(setup, reading);
    CheckBoundaries(setup, reading);
    CheckRigidBodies(setup, reading);
    CheckContacts(setup, reading);
@@ -416,6 +445,7 @@ void CheckConsistency(const CaseFile &setup, CaseReading &reading)
    CheckMaterials(setup, reading);
    CheckBoundaryNames(setup, reading);
    CheckConditions(setup, reading);
+   CheckConnections(setup, reading);
    CheckTimes(setup, reading);
    CheckSteps(setup, reading);
    CheckOutput(setup, reading);

@@ -19,6 +19,10 @@ Values ValuesOf(const CaseFile &setup)
 {
    CaseFile copy(setup);
    copy.mesh.file.clear();
+   for (RigidBodyCase &body : copy.rigid_bodies)
+   {
+      body.shape.file.clear();
+   }
    copy.output.directory.clear();
    Values values;
    CaseKeys(copy).Values("", values);

@@ -45,6 +45,12 @@ RigidBodyOptions RigidBodyCase::Options() const
 {
    RigidBodyOptions options;
    options.reference = reference;
+   const bool has_center = shape.type != RigidShape::Type::none &&
+                           shape.type != RigidShape::Type::file;
+   if (!reference && has_center && surfaces.empty() && regions.empty())
+   {
+      options.reference = shape.center;
+   }
    options.load_follows = load_follows;
    if (relative)
    {
@@ -66,6 +72,27 @@ RigidBodyOptions RigidBodyCase::Options() const
       }
    }
    return options;
+}
+
+std::optional<RigidShape> RigidBodyCase::Shape() const
+{
+   if (shape.type == RigidShape::Type::none)
+   {
+      return std::nullopt;
+   }
+   RigidShape named = shape;
+   named.name = name;
+   return named;
+}
+
+std::vector<std::string> RigidBodyCase::AllRegions() const
+{
+   std::vector<std::string> all = regions;
+   if (Shape())
+   {
+      all.push_back(name);
+   }
+   return all;
 }
 
 bool ForceCase::IsDirected() const
@@ -122,15 +149,25 @@ std::string ReadText(const std::string &file, std::string &text)
 }
 
 // One in a file is beside it, one from the command line where the user is.
-void ResolveMeshFile(CaseFile &setup, const std::string &source)
+void ResolveFile(const CasePlaces &places, const std::string &path,
+                 const std::string &source, std::string &file)
 {
-   const auto place = setup.places.find("mesh.file");
-   const bool in_file = place != setup.places.end() && place->second.line > 0;
-   if (in_file && !setup.mesh.file.empty())
+   const auto place = places.find(path);
+   const bool in_file = place != places.end() && place->second.line > 0;
+   if (in_file && !file.empty())
    {
-      setup.mesh.file =
-         (std::filesystem::path(source).parent_path() / setup.mesh.file)
-            .string();
+      file = (std::filesystem::path(source).parent_path() / file).string();
+   }
+}
+
+void ResolveFiles(CaseFile &setup, const std::string &source)
+{
+   ResolveFile(setup.places, "mesh.file", source, setup.mesh.file);
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      ResolveFile(setup.places,
+                  "rigid_body." + std::to_string(i) + ".shape.file", source,
+                  setup.rigid_bodies[i].shape.file);
    }
 }
 
@@ -174,7 +211,7 @@ CaseFile ParseCase(const std::string &text, const std::string &source,
    }
    Check(setup, reading);
    setup.places = reading.Places();
-   ResolveMeshFile(setup, source);
+   ResolveFiles(setup, source);
    return setup;
 }
 
@@ -199,6 +236,13 @@ void WriteCase(const CaseFile &setup, std::ostream &out)
 {
    CaseFile copy(setup);
    copy.mesh.file = std::filesystem::absolute(copy.mesh.file).string();
+   for (RigidBodyCase &body : copy.rigid_bodies)
+   {
+      if (!body.shape.file.empty())
+      {
+         body.shape.file = std::filesystem::absolute(body.shape.file).string();
+      }
+   }
    CaseKeys(copy).Write(out);
 }
 

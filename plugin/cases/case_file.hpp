@@ -3,6 +3,7 @@
 #include "synovia/cases/case_reading.hpp"
 #include "synovia/general/load_curve.hpp"
 #include "synovia/io/line_sampler.hpp"
+#include "synovia/mesh/rigid_shape.hpp"
 #include "synovia/physics/biphasic_problem.hpp"
 #include "synovia/time/time_stepper.hpp"
 
@@ -37,7 +38,7 @@ struct MeshCase
    MeshGenerator generator;
 };
 
-/// A law of fibers by its name, for those of a distribution.
+/// A fiber law by its name, for a distribution of fibers.
 struct FiberCase
 {
    std::string model = "fiber_exp_pow";
@@ -60,6 +61,8 @@ struct SolidCase
 /// A law of the permeability likewise: see PermeabilityLaws().
 struct PermeabilityCase
 {
+   /// The model of an elastic solid without fluid.
+   static constexpr const char *none = "none";
    std::string model = "constant";
    std::map<std::string, mfem::real_t> parameters{};
 };
@@ -104,7 +107,15 @@ struct MaterialCase
    PermeabilityCase permeability;
    mfem::real_t solid_fraction = 0.2;
    bool mean_dilatation = false;
+   /// True ones, for forces per mass (mass / length^3).
+   mfem::real_t solid_density = 0.0;
+   mfem::real_t fluid_density = 0.0;
    FrameCase frame;
+
+   bool HasFluid() const
+   {
+      return permeability.model != PermeabilityCase::none;
+   }
 };
 
 /// Springs per area, between the surface and a fixed base.
@@ -163,14 +174,18 @@ struct BoundaryCase
    bool Holds(int component) const;
 };
 
-/// A rigid body that surfaces are tied to. Freedoms are those along and about
-/// the axes of space.
+/// A rigid body: surfaces that are tied to it, regions that are part of it, or
+/// a shape without a mesh. Freedoms are those along and about the axes of
+/// space.
 struct RigidBodyCase
 {
    std::string name;
    std::vector<std::string> surfaces;
-   /// Center of moments and of the translation; none: the surfaces' center of
-   /// area.
+   std::vector<std::string> regions;
+   /// Its name has no effect; see Shape().
+   RigidShape shape;
+   /// Center of moments and of the translation; none: that of the shape, or the
+   /// surfaces' center of area.
    std::optional<std::array<mfem::real_t, 3>> reference;
    /// As BoundaryCase has them.
    bool relative = false;
@@ -188,6 +203,10 @@ struct RigidBodyCase
    std::array<mfem::real_t, 3> rotational_stiffness{{0.0, 0.0, 0.0}};
 
    RigidBodyOptions Options() const;
+   /// The shape with the body's name, if it has one.
+   std::optional<RigidShape> Shape() const;
+   /// The regions, and that of the shape.
+   std::vector<std::string> AllRegions() const;
 };
 
 struct ContactCase
@@ -208,17 +227,17 @@ struct StepCase
 {
    std::string name;
    mfem::real_t duration = 0.0;
-   /// Time steps; 0, or none: those of the case.
+   /// Time step settings; 0 or none: the case's.
    mfem::real_t step = 0.0;
    std::optional<bool> adaptive{};
    mfem::real_t min_step = 0.0;
    mfem::real_t max_step = 0.0;
    /// Names of boundaries and contact pairs that end when it begins.
    std::vector<std::string> release{};
-   /// Each in place of what has its name, as a whole; without surfaces: on
-   /// those of that.
+   /// Each replaces the entry of the same name as a whole; without surfaces it
+   /// keeps the surfaces of that entry.
    std::vector<BoundaryCase> boundaries{};
-   /// Of bodies that there are.
+   /// Of existing bodies.
    std::vector<RigidBodyCase> rigid_bodies{};
    std::vector<ContactCase> contacts{};
 };
@@ -245,11 +264,15 @@ struct CaseFile
    std::string title;
    MeshCase mesh;
    SpaceOptions space;
+   /// Force per mass, by component (length / time^2).
+   std::optional<std::array<LoadCurve, 3>> acceleration;
    std::vector<MaterialCase> materials;
    std::vector<BoundaryCase> boundaries;
    std::vector<RigidBodyCase> rigid_bodies;
+   std::vector<Ligament> ligaments;
+   std::vector<Joint> joints;
    std::vector<ContactCase> contacts;
-   /// Its end is that of the last step, if there are steps.
+   /// If there are steps, it ends with the last one.
    TimeOptions time;
    std::vector<StepCase> steps;
    NonlinearOptions solver;

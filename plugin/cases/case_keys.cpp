@@ -1,5 +1,6 @@
 #include "synovia/cases/case_keys.hpp"
 #include "synovia/cases/condition_keys.hpp"
+#include "synovia/cases/connection_keys.hpp"
 #include "synovia/cases/law_keys.hpp"
 #include "synovia/cases/tuning_keys.hpp"
 
@@ -55,11 +56,15 @@ KeyTable SpaceKeys(SpaceOptions &space)
    return keys;
 }
 
-KeyTable PhysicsKeys(SpaceOptions &space)
+KeyTable PhysicsKeys(CaseFile &setup)
 {
    KeyTable keys;
-   keys.Word<Deformation>("deformation", space.deformation, DeformationWords(),
+   keys.Word<Deformation>("deformation", setup.space.deformation,
+                          DeformationWords(),
                           "of all bodies; it says which laws there are");
+   keys.Value("acceleration", setup.acceleration, "length/time^2",
+              "force per mass on all that has densities, such as gravity, by "
+              "component");
    return keys;
 }
 
@@ -133,6 +138,14 @@ KeyTable MaterialKeys(MaterialCase &material)
              "volume fraction of the solid")
       .Inside(0.0, 1.0)
       .Named("the solid fraction");
+   keys
+      .Value("solid_density", material.solid_density, "mass/length^3",
+             "of the solid by itself, for physics.acceleration")
+      .AtLeast(0.0);
+   keys
+      .Value("fluid_density", material.fluid_density, "mass/length^3",
+             "of the fluid by itself, likewise")
+      .AtLeast(0.0);
    keys.Value("mean_dilatation", material.mean_dilatation, "",
               "whether the solid sees each element's mean change of volume: "
               "with order 1, hexahedra and wedges of a nearly incompressible "
@@ -193,8 +206,10 @@ KeyTable StepKeys(StepCase &step)
    keys.Auto("max_step", step.max_step, time_unit,
              "longest adaptive one; a tenth of the duration, or step if that "
              "is longer");
-   keys.Value("release", step.release, "",
-              "names of boundaries and contact pairs that end when it begins");
+   keys.Value(
+      "release", step.release, "",
+      "names of boundaries, ligaments and contact pairs that end when it "
+      "begins");
    keys.List<BoundaryCase>("boundary", step.boundaries, StepBoundaryKeys,
                            "from this step on; times count from its beginning");
    keys.List<RigidBodyCase>("rigid_body", step.rigid_bodies, StepRigidBodyKeys,
@@ -293,7 +308,7 @@ KeyTable CaseKeys(CaseFile &setup)
    keys.Value("title", setup.title, "", "says what the case is");
    keys.Table("mesh", MeshKeys(setup.mesh), "");
    keys.Table("space", SpaceKeys(setup.space), "");
-   keys.Table("physics", PhysicsKeys(setup.space), "");
+   keys.Table("physics", PhysicsKeys(setup), "");
    keys
       .List<MaterialCase>("material", setup.materials, MaterialKeys,
                           "of all regions")
@@ -302,6 +317,11 @@ KeyTable CaseKeys(CaseFile &setup)
    keys.List<RigidBodyCase>(
       "rigid_body", setup.rigid_bodies, RigidBodyKeys,
       "moves what is tied to it as one, by translations and rotations");
+   keys.List<Ligament>("ligament", setup.ligaments, LigamentKeys,
+                       "joins rigid bodies, point to point");
+   keys.List<Joint>("joint", setup.joints, JointKeys,
+                    "reports how two rigid bodies are placed beside each "
+                    "other, and prescribes it");
    keys.List<ContactCase>("contact", setup.contacts, ContactKeys, "");
    keys.Table("time", TimeKeys(setup.time, !setup.steps.empty()), "");
    keys.List<StepCase>("step", setup.steps, StepKeys,

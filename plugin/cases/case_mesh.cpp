@@ -43,6 +43,13 @@ NamedMesh ReadCaseMesh(const CaseFile &setup, MPI_Comm comm)
             options.contacts.push_back({contact.source, contact.destination});
          }
       }
+      for (const RigidBodyCase &body : setup.rigid_bodies)
+      {
+         if (const std::optional<RigidShape> shape = body.Shape())
+         {
+            options.shapes.push_back(*shape);
+         }
+      }
       return ReadGmsh(setup.mesh.file, comm, options);
    }
    catch (const Error &error) // on all ranks alike

@@ -5,6 +5,7 @@
 #include "synovia/materials/law_registry.hpp"
 #include "synovia/materials/projected_frame.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
+#include "synovia/mesh/region_boundaries.hpp"
 #include "synovia/mesh/surface_center.hpp"
 
 #include <map>
@@ -26,6 +27,18 @@ Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
       }
    }
    return held;
+}
+
+Array<int> TiedSurfaces(const RigidBodyCase &body, const NamedMesh &mesh)
+{
+   Array<int> regions;
+   for (const std::string &name : body.AllRegions())
+   {
+      regions.Append(mesh.Region(name));
+   }
+   Array<int> tied = NamedBoundaries(mesh, body.surfaces);
+   tied.Append(BoundariesOnlyOf(mesh.Get(), regions));
+   return tied;
 }
 
 Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh)
@@ -82,6 +95,20 @@ void CheckRegions(const CaseFile &setup, const NamedMesh &mesh,
                        [&]() { mesh.Vectors(frame.name); });
       }
    }
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      const std::string path = EntryPath("rigid_body", i, "regions");
+      for (const int region :
+           FindAll(setup.rigid_bodies[i].AllRegions(), path, reading, find))
+      {
+         const auto [first, fresh] = given.emplace(region, path);
+         reading.Require(fresh, path,
+                         "the region \"" + NameOf(mesh.Regions(), region) +
+                            "\" has a material or is part of a rigid body "
+                            "already (" +
+                            WhereIs(reading.Places(), first->second) + ")");
+      }
+   }
    for (const int region : mesh.Get().attributes)
    {
       if (!given.count(region) && !reading.Count())
@@ -132,7 +159,7 @@ void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
    Array<int> others = ContactSurfaces(setup, mesh);
    for (const RigidBodyCase &body : setup.rigid_bodies)
    {
-      others.Append(NamedBoundaries(mesh, body.surfaces));
+      others.Append(TiedSurfaces(body, mesh));
    }
    const Array<int> held[3] = {HeldSurfaces(setup, mesh, 0),
                                HeldSurfaces(setup, mesh, 1),
@@ -224,19 +251,37 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
       reading.Catch("material." + std::to_string(i),
                     [&]() { SetMaterial(setup.materials[i]); });
    }
+   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   {
+      const RigidBodyCase &body = setup.rigid_bodies[i];
+      reading.Catch("rigid_body." + std::to_string(i),
+                    [&]()
+                    {
+                       problem.AddRigidBody(body.name, body.surfaces,
+                                            body.Options(), body.AllRegions());
+                    });
+   }
    reading.ThrowIfAny();
    reading.Catch("material", [&]() { problem.VerifyMaterials(); });
    reading.ThrowIfAny();
+   if (setup.acceleration)
+   {
+      problem.SetAcceleration(*setup.acceleration);
+   }
    for (const BoundaryCase &boundary : setup.boundaries)
    {
       SetBoundary(boundary);
    }
-   for (size_t i = 0; i < setup.rigid_bodies.size(); i++)
+   reading.Catch("boundary", [&]() { problem.VerifyFluid(); });
+   for (size_t i = 0; i < setup.ligaments.size(); i++)
    {
-      const RigidBodyCase &body = setup.rigid_bodies[i];
-      reading.Catch(
-         "rigid_body." + std::to_string(i), [&]()
-         { problem.AddRigidBody(body.name, body.surfaces, body.Options()); });
+      reading.Catch("ligament." + std::to_string(i),
+                    [&]() { problem.AddLigament(setup.ligaments[i]); });
+   }
+   for (size_t i = 0; i < setup.joints.size(); i++)
+   {
+      reading.Catch("joint." + std::to_string(i),
+                    [&]() { problem.AddJoint(setup.joints[i]); });
    }
    CheckRigidBodies(setup, reading);
    reading.ThrowIfAny();
@@ -258,15 +303,17 @@ void CaseProblem::CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
    reading.Catch("rigid_body",
                  [&]()
                  {
-                    RigidTies(problem.Spaces(), conditions.RigidBodies(),
-                              conditions.DisplacementDofs(),
-                              problem.GetDeformation());
+                    const RigidTies ties(
+                       problem.Spaces(), conditions.RigidBodies(),
+                       conditions.DisplacementDofs(), problem.GetDeformation(),
+                       conditions.Joints());
+                    Joints(ties, conditions.Joints());
                  });
    if (setup.contacts.empty() && reading.Count() == 0)
    {
       const RigidFreedoms freedoms(FindBodies(problem.Mesh(), problem.Spaces()),
                                    problem.Spaces(), conditions);
-      const std::string loose = freedoms.Validate({}, 0.0);
+      const std::string loose = freedoms.ValidateSupports();
       reading.Require(loose.empty(), "rigid_body", loose);
    }
 }
@@ -296,14 +343,20 @@ void CaseProblem::SetMaterial(const MaterialCase &material)
    frames.push_back(MakeFrame(material.frame, problem.Mesh()));
    LawArguments from{{}, *frames.back(), material.solid_fraction, {}};
    const SolidLaw &solid = AddSolid(material.solid, from);
-   from.values = material.permeability.parameters;
-   permeabilities.push_back(
-      PermeabilityLaws().Make(material.permeability.model, from));
+   const PermeabilityLaw *permeability = nullptr;
+   if (material.HasFluid())
+   {
+      from.values = material.permeability.parameters;
+      permeabilities.push_back(
+         PermeabilityLaws().Make(material.permeability.model, from));
+      permeability = permeabilities.back().get();
+   }
    for (const std::string &region : material.regions)
    {
       problem.SetMaterial(region,
-                          {&solid, permeabilities.back().get(),
-                           material.solid_fraction, material.mean_dilatation});
+                          {&solid, permeability, material.solid_fraction,
+                           material.mean_dilatation, material.solid_density,
+                           material.fluid_density});
    }
 }
 

@@ -46,6 +46,10 @@ private:
 mfem::Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
                               int component);
 
+/// Attributes of the boundaries that are tied to a rigid body or to its
+/// regions and shape, likewise. Collective.
+mfem::Array<int> TiedSurfaces(const RigidBodyCase &body, const NamedMesh &mesh);
+
 /// Attributes of the boundaries in contact pairs, likewise.
 mfem::Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh);
 

@@ -76,6 +76,7 @@ public:
       : setup(setup_), reading(reading_),
         boundaries("boundary", setup.boundaries),
         rigid_bodies("rigid_body", setup.rigid_bodies),
+        ligaments("ligament", setup.ligaments),
         contacts("contact", setup.contacts), standard(setup)
    {
       standard.steps.clear();
@@ -119,20 +120,26 @@ private:
          const std::string here = EntryPath(path + ".release", i);
          const bool body = rigid_bodies.Find(name) != nullptr;
          std::vector<std::string> known = boundaries.Names();
-         const std::vector<std::string> pairs = contacts.Names();
-         known.insert(known.end(), pairs.begin(), pairs.end());
+         for (const std::vector<std::string> &more :
+              {ligaments.Names(), contacts.Names()})
+         {
+            known.insert(known.end(), more.begin(), more.end());
+         }
          const auto count = std::count(known.begin(), known.end(), name);
          reading.Require(count > 0 || !body, here,
                          Quoted(name) +
                             " is a rigid body, which is never released; give "
                             "its freedoms anew in [[step.rigid_body]]");
          reading.Require(count > 0, here,
-                         "no boundary or contact pair that holds is called " +
+                         "no boundary, ligament or contact pair that holds is "
+                         "called " +
                             Quoted(name) + DidYouMean(name, known));
          reading.Require(count < 2, here,
-                         "a boundary and a contact pair are called " +
-                            Quoted(name) + "; rename one of them");
+                         "several of boundaries, ligaments and contact pairs "
+                         "are called " +
+                            Quoted(name) + "; rename all but one of them");
          boundaries.Remove(name);
+         ligaments.Remove(name);
          contacts.Remove(name);
       }
    }
@@ -166,6 +173,8 @@ private:
       }
       RigidBodyCase body = Begun(given, begin);
       body.surfaces = before->surfaces;
+      body.regions = before->regions;
+      body.shape = before->shape;
       body.reference = before->reference;
       rigid_bodies.Set(body, path);
    }
@@ -174,8 +183,10 @@ private:
    {
       filled.boundaries = boundaries.Entries();
       filled.rigid_bodies = rigid_bodies.Entries();
+      filled.ligaments = ligaments.Entries();
       filled.contacts = contacts.Entries();
-      for (const char *list : {"boundary", "rigid_body", "contact", "step"})
+      for (const char *list :
+           {"boundary", "rigid_body", "ligament", "contact", "step"})
       {
          const std::string above = std::string(list) + ".";
          const std::string below = std::string(list) + "/";
@@ -184,6 +195,7 @@ private:
       }
       boundaries.AddPlaces(setup.places, filled.places);
       rigid_bodies.AddPlaces(setup.places, filled.places);
+      ligaments.AddPlaces(setup.places, filled.places);
       contacts.AddPlaces(setup.places, filled.places);
       TimeOptions &time = filled.time;
       time.adaptive = step.adaptive.value_or(time.adaptive);
@@ -205,6 +217,7 @@ private:
    CaseReading &reading;
    ConditionsInForce<BoundaryCase> boundaries;
    ConditionsInForce<RigidBodyCase> rigid_bodies;
+   ConditionsInForce<Ligament> ligaments;
    ConditionsInForce<ContactCase> contacts;
    CaseFile standard;
    real_t begin = 0.0;

@@ -15,8 +15,8 @@ struct CaseOfStep
    std::string name;
    mfem::real_t begin = 0.0;
    mfem::real_t end = 0.0;
-   /// The case without steps, with what holds in this one: times count from the
-   /// beginning of the run, and its end is that of the run.
+   /// The case without steps, with the conditions of this one: times count from
+   /// the beginning of the run, and it ends when the run does.
    CaseFile setup;
 };
 

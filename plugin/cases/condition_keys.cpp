@@ -80,6 +80,21 @@ void AddRigidBodyKeys(RigidBodyCase &body, KeyTable &keys)
               "of springs that resist rotation, by component, on free ones");
 }
 
+KeyTable FrictionKeys(FrictionOptions &options)
+{
+   KeyTable keys;
+   keys
+      .Value("coefficient", options.coefficient, "",
+             "mu_eq, that without fluid pressure; 0: frictionless")
+      .AtLeast(0.0);
+   keys
+      .Auto("solid_fraction", options.solid_fraction, "",
+            "phi, the part of the contact area where solid meets solid; the "
+            "product of the solid fractions of both sides")
+      .From(0.0, 1.0);
+   return keys;
+}
+
 void AddContactKeys(ContactOptions &options, KeyTable &keys)
 {
    keys.Auto("penalty", options.penalty, "stress/length",
@@ -123,6 +138,16 @@ void AddContactKeys(ContactOptions &options, KeyTable &keys)
        {"mean", ContactNormal::mean}},
       "the direction of gap and traction: the destination's normal, or the "
       "mean of both surfaces'");
+   keys.Table("friction", FrictionKeys(options.friction),
+              "Coulomb's, on the share of the load that the solids bear, in "
+              "finite deformation");
+   keys.Word<DryPartner>(
+      "fluid", options.dry_partner,
+      {{"impermeable", DryPartner::impermeable},
+       {"draining", DryPartner::draining}},
+      "where one side has no fluid, what that is to the other's fluid while "
+      "they touch: none passes, or it leaves as where nothing touches; without "
+      "effect where both have fluid, which passes between them");
    keys
       .Value(
          "quadrature_order", options.quadrature_order, "",
@@ -158,17 +183,93 @@ KeyTable StepBoundaryKeys(BoundaryCase &boundary)
    return keys;
 }
 
+namespace
+{
+void AddRound(RigidShape &shape, KeyTable &keys)
+{
+   keys.Value("radius", shape.radius, length, "of it").Required().Positive();
+   keys.Value("hollow", shape.hollow, "",
+              "whether it is a hole that others touch from inside");
+}
+
+KeyTable ShapeKeysOf(RigidShape::Type type, RigidShape &shape)
+{
+   KeyTable keys;
+   switch (type)
+   {
+   case RigidShape::Type::none:
+      return keys;
+   case RigidShape::Type::plane:
+      keys.Value("center", shape.center, length, "of the square").Required();
+      keys.Value("normal", shape.axis, "",
+                 "towards what it touches, of any length");
+      keys.Value("edge", shape.edge, length, "of the square")
+         .Required()
+         .Positive();
+      break;
+   case RigidShape::Type::sphere:
+      keys.Value("center", shape.center, length, "of it").Required();
+      AddRound(shape, keys);
+      break;
+   case RigidShape::Type::cylinder:
+      keys.Value("center", shape.center, length, "the middle of its axis")
+         .Required();
+      keys.Value("axis", shape.axis, "", "its direction, of any length");
+      keys.Value("height", shape.height, length, "along the axis")
+         .Required()
+         .Positive();
+      AddRound(shape, keys);
+      break;
+   case RigidShape::Type::file:
+      keys
+         .Value("file", shape.file, "",
+                "STL, or MSH with surface elements, relative to the directory "
+                "of the case file")
+         .Required();
+      keys.Value("scale", shape.scale, "", "factor on all coordinates")
+         .Positive();
+      return keys;
+   }
+   keys.Auto("facet_size", shape.facet_size, length,
+             "of the facets it is made of, which are curved where it is round; "
+             "an eighth of the radius, a quarter of the edge");
+   return keys;
+}
+
+KeyTable ShapeKeys(RigidShape &shape)
+{
+   using Type = RigidShape::Type;
+   KeyTable keys;
+   keys.Choice<Type>(
+      "type", shape.type,
+      {{"none", Type::none},
+       {"plane", Type::plane},
+       {"sphere", Type::sphere},
+       {"cylinder", Type::cylinder},
+       {"file", Type::file}},
+      {"only surfaces and regions of the mesh", "a square", "a sphere",
+       "a cylinder with flat ends", "a surface from a file"},
+      [&shape](Type type) { return ShapeKeysOf(type, shape); },
+      "kind of shape, one of:");
+   return keys;
+}
+} // namespace
+
 KeyTable RigidBodyKeys(RigidBodyCase &body)
 {
    KeyTable keys;
    keys.Value("name", body.name, "", "of the body in the output").Required();
-   keys
-      .Value("surfaces", body.surfaces, "",
-             "what is tied to it: physical surfaces")
-      .Required();
+   keys.Value("surfaces", body.surfaces, "",
+              "what is tied to it: physical surfaces");
+   keys.Value("regions", body.regions, "",
+              "what is part of it: physical volumes without a material");
+   keys.Table("shape", ShapeKeys(body.shape),
+              "a surface without a mesh, to touch others with: contact pairs "
+              "know it by the body's name; of a cylinder also NAME_side and "
+              "NAME_ends");
    keys.Value("reference", body.reference, length,
-              "the point that the translation and moments are of; the "
-              "surfaces' center of area if left out");
+              "the point that the translation and moments are of; the shape's "
+              "center, or the surfaces' center of area if left out");
    AddRigidBodyKeys(body, keys);
    return keys;
 }

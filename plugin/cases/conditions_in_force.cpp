@@ -18,6 +18,11 @@ std::string NameOf(const RigidBodyCase &body)
    return body.name;
 }
 
+std::string NameOf(const Ligament &ligament)
+{
+   return ligament.name;
+}
+
 std::string NameOf(const ContactCase &contact)
 {
    return contact.Name();
@@ -125,6 +130,7 @@ void ConditionsInForce<Entry>::AddPlaces(const CasePlaces &written,
 
 template class ConditionsInForce<BoundaryCase>;
 template class ConditionsInForce<RigidBodyCase>;
+template class ConditionsInForce<Ligament>;
 template class ConditionsInForce<ContactCase>;
 
 } // namespace synovia

@@ -27,7 +27,7 @@ public:
    void Remove(const std::string &name);
 
    std::vector<Entry> Entries() const;
-   /// Adds the places of the entries as those of a list of them alone.
+   /// Adds the places of the entries, numbered as a list of their own.
    void AddPlaces(const CasePlaces &written, CasePlaces &places) const;
 
 private:
@@ -43,6 +43,7 @@ private:
 
 extern template class ConditionsInForce<BoundaryCase>;
 extern template class ConditionsInForce<RigidBodyCase>;
+extern template class ConditionsInForce<Ligament>;
 extern template class ConditionsInForce<ContactCase>;
 
 } // namespace synovia

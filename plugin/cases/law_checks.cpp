@@ -98,6 +98,13 @@ void CheckLaws(const MaterialCase &material, const std::string &path,
    {
       check_solid(solid.solids[i], parts_path + "." + std::to_string(i));
    }
+   if (material.permeability.model == PermeabilityCase::none)
+   {
+      reading.Require(material.permeability.parameters.empty(),
+                      path + ".permeability",
+                      "there are parameters, but no fluid");
+      return;
+   }
    CheckLaw(PermeabilityLaws(), material.permeability.model,
             material.permeability.parameters, path + ".permeability",
             deformation, reading);

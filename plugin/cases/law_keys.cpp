@@ -185,11 +185,20 @@ KeyTable SolidKeys(SolidCase &solid)
 
 KeyTable PermeabilityKeys(PermeabilityCase &permeability)
 {
-   return LawKeys(
-      PermeabilityLaws(), permeability.model, IsAny,
-      [&permeability](const LawDescription &law)
-      { return ParameterKeys(law, permeability.parameters); },
+   Alternatives laws = Described(PermeabilityLaws(), IsAny);
+   laws.push_back({PermeabilityCase::none, "no fluid: an elastic solid"});
+   KeyTable keys;
+   keys.Choice(
+      model, permeability.model, laws,
+      [&permeability](const std::string &word)
+      {
+         return word == PermeabilityCase::none
+                   ? KeyTable()
+                   : ParameterKeys(*PermeabilityLaws().Find(word),
+                                   permeability.parameters);
+      },
       "law of the permeability, one of:");
+   return keys;
 }
 
 } // namespace synovia

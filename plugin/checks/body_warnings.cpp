@@ -2,6 +2,8 @@
 #include "synovia/checks/body_shape.hpp"
 #include "synovia/checks/loose_bodies.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -16,9 +18,16 @@ FindBodyWarnings(const CaseFile &setup, CaseProblem &problem,
    const std::string place = WhereIs(setup.places, "boundary");
    const Array<int> draining = DrainingSurfaces(setup, problem.Get().Mesh());
    std::vector<std::string> warnings;
+   const auto has_fluid = [&](const Body &body)
+   {
+      return std::any_of(
+         body.regions.begin(), body.regions.end(),
+         [&](int region)
+         { return problem.Get().Materials().Get(region).HasFluid(); });
+   };
    for (const Body &body : bodies)
    {
-      if (!body.Touches(draining))
+      if (has_fluid(body) && !body.Touches(draining))
       {
          warnings.push_back(place + ": no fluid can leave \"" + body.name +
                             "\": it has no surface with a pressure or in a "

@@ -1,5 +1,6 @@
 #include "synovia/checks/contact_check.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/general/text.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/physics/first_approach.hpp"
 
@@ -26,6 +27,14 @@ real_t LeastGap(const ContactPair &pair)
       }
    }
    return -MaxOverRanks(-least, pair.Geometry().Source().Spaces().GetComm());
+}
+
+std::string FrictionOf(const ContactOptions &options, const ContactPair &pair)
+{
+   return options.friction.coefficient == 0.0
+             ? ""
+             : ToText(options.friction.coefficient) + ", solid fraction " +
+                  ToText(pair.Scales().solid_fraction);
 }
 } // namespace
 
@@ -79,7 +88,8 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
                  pair.Enforcement().Evaluate(u, p);
                  found.push_back({pair.Name(), LeastGap(pair),
                                   pair.Scales().gap_tolerance,
-                                  pair.Scales().search_radius});
+                                  pair.Scales().search_radius,
+                                  FrictionOf(setup.contacts[i].options, pair)});
               });
    }
    reading.ThrowIfAny();

@@ -17,6 +17,8 @@ struct PairAtStart
    mfem::real_t least_gap = 0.0;
    mfem::real_t gap_tolerance = 0.0;
    mfem::real_t search_radius = 0.0;
+   /// Coefficient and solid fraction, in words; empty without.
+   std::string friction;
 };
 
 /// Makes all contact pairs and lets each search once where the run starts, see

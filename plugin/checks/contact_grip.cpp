@@ -54,7 +54,7 @@ ContactGrip::ContactGrip(const CaseFile &setup, CaseProblem &problem,
       }
       for (const RigidBodyCase &body : setup.rigid_bodies)
       {
-         if (bodies[b].Touches(NamedBoundaries(mesh, body.surfaces)))
+         if (bodies[b].Touches(TiedSurfaces(body, mesh)))
          {
             AddLoads(body.Options(), loads[b]);
          }

@@ -110,10 +110,12 @@ public:
          {
             continue;
          }
-         softest = std::min(softest, problem.Get()
-                                        .Materials()
-                                        .Get(RegionBehind(mesh, i))
-                                        .solid->AggregateModulus());
+         const Material &material =
+            problem.Get().Materials().Get(RegionBehind(mesh, i));
+         if (!material.IsRigid())
+         {
+            softest = std::min(softest, material.solid->AggregateModulus());
+         }
          const FaceCorners face = normals.Corners(i);
          const Point3 center = face.Center();
          Box at;

@@ -53,6 +53,13 @@ LoadTimes FindLoadTimes(const CaseFile &setup)
       Add(boundary.mixture_flux, loads);
       Add(boundary.force.curve, loads);
    }
+   for (const Joint &joint : setup.joints)
+   {
+      for (const std::optional<LoadCurve> &curve : joint.prescribed)
+      {
+         Add(curve, loads);
+      }
+   }
    for (const RigidBodyCase &body : setup.rigid_bodies)
    {
       const RigidBodyOptions options = body.Options();

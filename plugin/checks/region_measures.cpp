@@ -1,6 +1,8 @@
 #include "synovia/checks/region_measures.hpp"
 #include "synovia/checks/body_shape.hpp"
 
+#include <limits>
+
 namespace synovia
 {
 
@@ -25,12 +27,19 @@ std::vector<RegionMeasures> MeasureRegions(const CaseFile &setup,
       RegionMeasures region;
       region.name = NameOf(named.Regions(), attribute);
       region.attribute = attribute;
-      region.aggregate_modulus = material.solid->AggregateModulus();
-      region.permeability = material.permeability->ReferenceValue();
-      region.thickness = thickness[body_of[attribute]];
-      region.drainage_length = drainage[attribute];
-      region.gel_time = region.drainage_length * region.drainage_length /
-                        (region.aggregate_modulus * region.permeability);
+      region.rigid = material.IsRigid();
+      region.aggregate_modulus = material.IsRigid()
+                                    ? std::numeric_limits<real_t>::infinity()
+                                    : material.solid->AggregateModulus();
+      region.thickness =
+         material.IsRigid() ? 0.0 : thickness[body_of[attribute]];
+      if (material.HasFluid())
+      {
+         region.permeability = material.permeability->ReferenceValue();
+         region.drainage_length = drainage[attribute];
+         region.gel_time = region.drainage_length * region.drainage_length /
+                           (region.aggregate_modulus * region.permeability);
+      }
       regions.push_back(region);
    }
    return regions;

@@ -14,9 +14,12 @@ struct RegionMeasures
 {
    std::string name;
    int attribute = 0;
+   /// Whether it is part of a rigid body.
+   bool rigid = false;
    mfem::real_t aggregate_modulus = 0.0;
+   /// 0 without fluid.
    mfem::real_t permeability = 0.0;
-   /// Of its body, under what presses it; 0 if nothing does.
+   /// Of its body, under what presses it; 0 if nothing does, or if it is rigid.
    mfem::real_t thickness = 0.0;
    /// The farthest that fluid has to go to leave its body; 0 if it can't.
    mfem::real_t drainage_length = 0.0;

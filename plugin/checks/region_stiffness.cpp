@@ -40,6 +40,10 @@ std::vector<StiffnessRange> FindRanges(CaseProblem &problem)
    for (int i = 0; i < mesh.GetNE(); i++)
    {
       const int region = mesh.GetAttribute(i);
+      if (materials.Get(region).IsRigid())
+      {
+         continue;
+      }
       const StiffnessRange range = RangeOfStiffness(
          *materials.Get(region).solid, *mesh.GetElementTransformation(i));
       least[region] = std::min(least[region], range.least);
@@ -64,9 +68,10 @@ std::vector<StiffnessRange> VerifiedStiffness(const CaseFile &setup,
    CaseReading reading(setup.places);
    for (size_t i = 0; i < ranges.size(); i++)
    {
-      if (!(ranges[i].least > 0.0) || !std::isfinite(ranges[i].largest))
+      const int region = mesh.Get().attributes[static_cast<int>(i)];
+      if (!problem.Get().Materials().Get(region).IsRigid() &&
+          (!(ranges[i].least > 0.0) || !std::isfinite(ranges[i].largest)))
       {
-         const int region = mesh.Get().attributes[static_cast<int>(i)];
          reading.AddError(
             PathOfMaterial(setup, mesh, region) + ".solid",
             "the stiffness of \"" + NameOf(mesh.Regions(), region) +

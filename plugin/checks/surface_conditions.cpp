@@ -47,7 +47,7 @@ SurfaceConditions::SurfaceConditions(const CaseFile &setup,
    }
    for (const RigidBodyCase &body : setup.rigid_bodies)
    {
-      for (const int attribute : NamedBoundaries(mesh, body.surfaces))
+      for (const int attribute : TiedSurfaces(body, mesh))
       {
          by_attribute[attribute].none = false;
          by_attribute[attribute].rigid = true;

@@ -115,9 +115,12 @@ void AddRatios(const CaseNumbers &numbers, const UnitFactors &factors,
          const real_t moduli =
             materials[i].aggregate_modulus * factors.stiffness[i] /
             (materials[j].aggregate_modulus * factors.stiffness[j]);
+         const bool wet =
+            materials[i].permeability > 0.0 && materials[j].permeability > 0.0;
          const real_t permeabilities =
-            materials[i].permeability * factors.permeability[i] /
-            (materials[j].permeability * factors.permeability[j]);
+            wet ? materials[i].permeability * factors.permeability[i] /
+                     (materials[j].permeability * factors.permeability[j])
+                : 0.0;
          // A material that stands for a rigid, draining body is both.
          const real_t rigid = std::max(permeabilities, real_t(1.0));
          if (moduli / rigid > stiffness.value)

@@ -50,8 +50,11 @@ real_t AdjacentLayer::SoftestModulus(const MaterialTable &materials) const
    real_t softest = std::numeric_limits<real_t>::max();
    for (const int region : regions)
    {
-      softest =
-         std::min(softest, materials.Get(region).solid->AggregateModulus());
+      const Material &material = materials.Get(region);
+      if (!material.IsRigid())
+      {
+         softest = std::min(softest, material.solid->AggregateModulus());
+      }
    }
    return softest;
 }
@@ -59,12 +62,36 @@ real_t AdjacentLayer::SoftestModulus(const MaterialTable &materials) const
 real_t AdjacentLayer::LeastPermeability(const MaterialTable &materials) const
 {
    real_t least = std::numeric_limits<real_t>::max();
-   for (const int region : regions)
+   for (const int region : materials.WithFluid(regions))
    {
       least =
          std::min(least, materials.Get(region).permeability->ReferenceValue());
    }
    return least;
+}
+
+real_t AdjacentLayer::LargestSolidFraction(const MaterialTable &materials) const
+{
+   real_t largest = 0.0;
+   for (const int region : regions)
+   {
+      const Material &material = materials.Get(region);
+      largest = std::max(largest, material.HasFluid() ? material.solid_fraction
+                                                      : real_t(1.0));
+   }
+   return largest;
+}
+
+bool AdjacentLayer::IsRigid(const MaterialTable &materials) const
+{
+   return std::any_of(regions.begin(), regions.end(),
+                      [&](int region)
+                      { return materials.Get(region).IsRigid(); });
+}
+
+int AdjacentLayer::WithFluid(const MaterialTable &materials) const
+{
+   return materials.WithFluid(regions).Size();
 }
 
 } // namespace synovia

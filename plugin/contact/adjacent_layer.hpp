@@ -15,8 +15,16 @@ public:
 
    /// Mean thickness: volume over area.
    mfem::real_t Thickness() const { return volume / area; }
+   /// Without those of rigid bodies; without any others, the largest number.
    mfem::real_t SoftestModulus(const MaterialTable &materials) const;
+   /// Whether any of them is part of a rigid body.
+   bool IsRigid(const MaterialTable &materials) const;
+   /// Of the regions with fluid; without any, the largest number.
    mfem::real_t LeastPermeability(const MaterialTable &materials) const;
+   /// phi_s; 1 without fluid.
+   mfem::real_t LargestSolidFraction(const MaterialTable &materials) const;
+   /// How many of the regions have fluid.
+   int WithFluid(const MaterialTable &materials) const;
 
    mfem::real_t area = 0.0;
    mfem::real_t volume = 0.0;

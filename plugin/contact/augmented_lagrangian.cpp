@@ -1,4 +1,5 @@
 #include "synovia/contact/augmented_lagrangian.hpp"
+#include "synovia/contact/contact_friction.hpp"
 #include "synovia/contact/frictionless_law.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/reduce_lists.hpp"
@@ -37,11 +38,22 @@ AugmentedLagrangian::AugmentedLagrangian(ContactConstraint &constraint_,
                                          const ContactTuning &tuning_)
    : constraint(constraint_), destination(destination_),
      vertex_areas(vertex_areas_), options(options_), tuning(tuning_),
-     gap_tolerance(scales.gap_tolerance), pressure_held(vertex_areas.Size()),
+     gap_tolerance(scales.gap_tolerance), fluid(scales.fluid),
+     pressure_held(vertex_areas.Size()),
      penalties(options, scales, vertex_areas), state(vertex_areas.Size()),
      accepted(state)
 {
    pressure_held = false;
+}
+
+AugmentedLagrangian::~AugmentedLagrangian() = default;
+
+void AugmentedLagrangian::AddFriction(
+   std::unique_ptr<ContactFriction> friction_)
+{
+   friction = std::move(friction_);
+   state = ContactState(vertex_areas.Size(), true);
+   accepted = state;
 }
 
 void AugmentedLagrangian::SetHeldPressures(const Array<int> &vertices)
@@ -73,10 +85,14 @@ void AugmentedLagrangian::UpdatePenalties()
 void AugmentedLagrangian::StartStage(real_t time)
 {
    constexpr real_t infinite = std::numeric_limits<real_t>::infinity();
-   last = {infinite, infinite};
+   last = {infinite, infinite, infinite};
    for (VertexContact &vertex : state.vertices)
    {
       vertex.seal_broke = false;
+   }
+   if (friction)
+   {
+      friction->StartStage(state.friction);
    }
    phase = Phase::prediction;
    state.history.Predict(time, tuning.prediction_reach, state.multiplier,
@@ -86,6 +102,15 @@ void AugmentedLagrangian::StartStage(real_t time)
 void AugmentedLagrangian::Evaluate(const Vector &u, const Vector &p)
 {
    constraint.Evaluate(u, p, state.gap, state.jump, state.pressure);
+   if (friction)
+   {
+      friction->Evaluate(u, p, state.friction);
+   }
+   if (fluid == FluidSides::source)
+   {
+      // Less that of the destination, which is zero.
+      state.pressure = state.jump;
+   }
 }
 
 real_t AugmentedLagrangian::TouchingGap() const
@@ -118,6 +143,27 @@ real_t AugmentedLagrangian::JumpStiffness(int vertex,
                     penalties.Conductance()[vertex]);
 }
 
+Vector AugmentedLagrangian::GapStiffnesses(ContactStiffness stiffness) const
+{
+   Vector all(state.gap.Size());
+   for (int j = 0; j < all.Size(); j++)
+   {
+      all[j] = GapStiffness(j, stiffness);
+   }
+   return all;
+}
+
+Vector AugmentedLagrangian::TrialTractions(ContactStiffness stiffness) const
+{
+   Vector all(state.gap.Size());
+   for (int j = 0; j < all.Size(); j++)
+   {
+      all[j] = FrictionlessLaw::Traction(
+         state.multiplier[j], GapStiffness(j, stiffness), state.gap[j]);
+   }
+   return all;
+}
+
 bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
                                           ContactStiffness stiffness)
 {
@@ -130,6 +176,8 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
                               ? TouchingGap()
                               : -std::numeric_limits<real_t>::infinity();
    bool changed = false;
+   const std::vector<VertexContact> all_before(
+      friction ? state.vertices : std::vector<VertexContact>());
    for (int j = 0; j < area.Size(); j++)
    {
       const VertexContact before = state.vertices[j];
@@ -152,9 +200,22 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
       state.jump_weights[j] =
          Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
    }
+   // A predicted slip is no better.
+   if (friction && phase != Phase::prediction)
+   {
+      changed = friction->UpdateSliding(
+                   TrialTractions(trial_stiffness), all_before,
+                   GapStiffnesses(trial_stiffness), penalties.Gap(), state) ||
+                changed;
+   }
    phase = Phase::iteration;
    UpdateTractions();
    return AnyRank(changed, destination.Spaces().GetComm());
+}
+
+bool AugmentedLagrangian::SlidingChanged() const
+{
+   return friction && friction->SlidingChanged();
 }
 
 void AugmentedLagrangian::UpdateTractions(ContactStiffness stiffness)
@@ -172,13 +233,18 @@ void AugmentedLagrangian::UpdateTractions(ContactStiffness stiffness)
                                     JumpStiffness(j, stiffness), state.jump[j])
             : 0.0;
    }
+   if (friction)
+   {
+      friction->UpdateTractions(GapStiffnesses(stiffness), penalties.Gap(),
+                                state);
+   }
 }
 
 MultiplierStep
 AugmentedLagrangian::FindMultiplierStep(const Vector &gap_change,
                                         const Vector &jump_change) const
 {
-   MultiplierStep step{Vector(state.gap.Size()), Vector(state.gap.Size())};
+   MultiplierStep step{Vector(state.gap.Size()), Vector(state.gap.Size()), {}};
    for (int j = 0; j < state.gap.Size(); j++)
    {
       step.traction[j] =
@@ -192,16 +258,29 @@ AugmentedLagrangian::FindMultiplierStep(const Vector &gap_change,
    return step;
 }
 
+VectorByComponent AugmentedLagrangian::FindFrictionStep(const Vector &du,
+                                                        const Vector &dp) const
+{
+   return friction ? friction->FindMultiplierStep(
+                        du, dp, TrialTractions(ContactStiffness::penalty),
+                        penalties.Gap(), state)
+                   : VectorByComponent();
+}
+
 void AugmentedLagrangian::AddToMultipliers(real_t share,
                                            const MultiplierStep &step)
 {
    state.multiplier.Add(share, step.traction);
    state.flux_multiplier.Add(share, step.flux);
+   for (int c = 0; c < 3 && friction; c++)
+   {
+      state.friction.multiplier[c].Add(share, step.friction[c]);
+   }
 }
 
 ContactViolations AugmentedLagrangian::FindViolations() const
 {
-   std::vector<real_t> worst(2, 0.0);
+   std::vector<real_t> worst(3, 0.0);
    for (int j = 0; j < state.gap.Size(); j++)
    {
       if (state.vertices[j].touches)
@@ -213,14 +292,20 @@ ContactViolations AugmentedLagrangian::FindViolations() const
          worst[1] = std::max(worst[1], std::abs(state.jump[j]));
       }
    }
+   if (friction)
+   {
+      worst[2] = friction->FindViolation(
+         TrialTractions(ContactStiffness::penalty), penalties.Gap(), state);
+   }
    MaxOverRanks(worst, destination.Spaces().GetComm());
-   return {worst[0], worst[1]};
+   return {worst[0], worst[1], worst[2]};
 }
 
 bool AugmentedLagrangian::IsWithinTolerance(const ContactViolations &violations,
                                             real_t peak_pressure) const
 {
    return violations.penetration <= gap_tolerance &&
+          violations.slip <= gap_tolerance &&
           violations.pressure_jump <=
              options.pressure_tolerance * peak_pressure;
 }
@@ -266,6 +351,10 @@ bool AugmentedLagrangian::StiffenIfSlow(const ContactViolations &violations,
 void AugmentedLagrangian::Store(real_t time)
 {
    TakeMultipliers();
+   if (friction)
+   {
+      friction->TakeMultipliers(state.friction);
+   }
    state.history.Store(time, state.multiplier, state.flux_multiplier);
 }
 
@@ -274,6 +363,10 @@ void AugmentedLagrangian::Accept()
    state.touched =
       state.touched || std::any_of(state.traction.begin(), state.traction.end(),
                                    FrictionlessLaw::Bears);
+   if (friction)
+   {
+      friction->Accept(state);
+   }
    accepted = state;
 }
 
@@ -287,6 +380,10 @@ void AugmentedLagrangian::Archive(StateArchive &archive,
                                   const std::string &prefix)
 {
    accepted.Archive(archive, prefix, destination);
+   if (friction)
+   {
+      friction->Archive(archive, prefix + "friction.");
+   }
    if (archive.Reads())
    {
       Restore();

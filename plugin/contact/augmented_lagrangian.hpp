@@ -4,8 +4,12 @@
 #include "synovia/contact/contact_state.hpp"
 #include "synovia/general/solver_tuning.hpp"
 
+#include <memory>
+
 namespace synovia
 {
+
+class ContactFriction;
 
 /// Which vertices come into contact.
 enum class TouchRule
@@ -36,6 +40,9 @@ struct ContactViolations
    mfem::real_t penetration = 0.0;
    /// Largest pressure jump of a vertex that exchanges fluid (stress).
    mfem::real_t pressure_jump = 0.0;
+   /// Largest slip of a vertex that sticks, or error of one that slides, as its
+   /// traction over the penalty (length).
+   mfem::real_t slip = 0.0;
 };
 
 /// Change of the multipliers of each of this rank's vertices of the
@@ -46,6 +53,8 @@ struct MultiplierStep
    mfem::Vector traction;
    /// Length / time.
    mfem::Vector flux;
+   /// Tangential (stress); empty without friction.
+   VectorByComponent friction;
 };
 
 /// Enforces a constraint by penalties and multipliers: in contact the traction
@@ -66,6 +75,13 @@ public:
                        const ContactScales &scales,
                        const ContactOptions &options,
                        const ContactTuning &tuning = ContactTuning());
+   ~AugmentedLagrangian();
+   /// There is friction from now on. Comes before any step.
+   void AddFriction(std::unique_ptr<ContactFriction> friction_);
+
+   /// Null where there is none.
+   ContactFriction *Friction() { return friction.get(); }
+   const ContactFriction *Friction() const { return friction.get(); }
 
    /// Vertices (multiplier true dofs, ascending) whose pressure boundary
    /// conditions hold: no fluid passes those of the destination, as no pressure
@@ -91,6 +107,9 @@ public:
    /// Collective; true if any rank's set changed.
    bool UpdateActiveSet(TouchRule rule = TouchRule::traction,
                         ContactStiffness stiffness = ContactStiffness::penalty);
+   /// Whether the last UpdateActiveSet() let vertices slide that stuck, or the
+   /// other way, on any rank.
+   bool SlidingChanged() const;
    /// Traction and flux from the last gaps, with the present active set.
    void UpdateTractions(ContactStiffness stiffness = ContactStiffness::penalty);
    /// The change of the multipliers in a Newton step with these changes of gaps
@@ -98,6 +117,10 @@ public:
    /// active set, to zero elsewhere.
    MultiplierStep FindMultiplierStep(const mfem::Vector &gap_change,
                                      const mfem::Vector &jump_change) const;
+   /// The same for friction, with a step of displacement and pressure (true
+   /// dofs); empty without. Collective.
+   VectorByComponent FindFrictionStep(const mfem::Vector &du,
+                                      const mfem::Vector &dp) const;
    /// Adds a part of such a step.
    void AddToMultipliers(mfem::real_t share, const MultiplierStep &step);
    /// Collective.
@@ -132,7 +155,8 @@ public:
    /// Whether fluid passes from one surface to the other at a vertex.
    bool Exchanges(int vertex) const
    {
-      return state.vertices[vertex].seals && !pressure_held[vertex];
+      return fluid == FluidSides::both && state.vertices[vertex].seals &&
+             !pressure_held[vertex];
    }
 
 private:
@@ -148,6 +172,9 @@ private:
    };
 
    mfem::real_t TouchingGap() const;
+   /// Normal tractions and their stiffness (stress / length) of all vertices.
+   mfem::Vector TrialTractions(ContactStiffness stiffness) const;
+   mfem::Vector GapStiffnesses(ContactStiffness stiffness) const;
    /// Of a vertex (stress / length).
    mfem::real_t GapStiffness(int vertex, ContactStiffness stiffness) const;
    /// Of a vertex (length / time / stress).
@@ -160,8 +187,10 @@ private:
    ContactOptions options;
    ContactTuning tuning;
    mfem::real_t gap_tolerance;
+   FluidSides fluid;
    mfem::Array<bool> pressure_held;
    ContactPenalties penalties;
+   std::unique_ptr<ContactFriction> friction;
    Phase phase = Phase::iteration;
    /// At the last augmentation of the stage.
    ContactViolations last;

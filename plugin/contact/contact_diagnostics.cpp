@@ -48,6 +48,35 @@ Point3 SumOfMoments(const Vector &force, const Vector &position,
    return SumOverRanks(sum, comm);
 }
 
+FrictionDiagnostics DiagnoseFriction(const ContactPair &pair)
+{
+   const ContactState &state = pair.State();
+   const ContactCoverage &coverage = pair.Constraint().Coverage();
+   FrictionDiagnostics result;
+   Point3 normal{{0.0, 0.0, 0.0}};
+   real_t touching = 0.0;
+   real_t sliding = 0.0;
+   for (int j = 0; j < state.gap.Size(); j++)
+   {
+      for (int d = 0; d < 3; d++)
+      {
+         result.force[d] += coverage.area[j] * state.friction.traction[d][j];
+         normal[d] += coverage.normal_area[d][j] * state.traction[j];
+      }
+      touching += state.vertices[j].touches ? coverage.area[j] : 0.0;
+      sliding += state.friction.vertices[j].slides ? coverage.area[j] : 0.0;
+   }
+   MPI_Comm comm = pair.Geometry().Source().Spaces().GetComm();
+   result.force = SumOverRanks(result.force, comm);
+   const real_t pressed = Length(SumOverRanks(normal, comm));
+   result.coefficient = pressed > 0.0 ? Length(result.force) / pressed : 0.0;
+   touching = synovia::SumOverRanks(touching, comm);
+   sliding = synovia::SumOverRanks(sliding, comm);
+   result.sliding = touching > 0.0 ? sliding / touching : 0.0;
+   result.dissipation = synovia::SumOverRanks(state.friction.dissipation, comm);
+   return result;
+}
+
 real_t FluidLoadSupport(const ContactPair &pair)
 {
    const ContactState &state = pair.State();
@@ -85,6 +114,22 @@ Vector PresentTraction(const ContactPair &pair)
       traction[j] *= traction[j] != 0.0 ? area[j] / present[j] : 0.0;
    }
    return traction;
+}
+
+Vector PresentFriction(const ContactPair &pair)
+{
+   const ContactState &state = pair.State();
+   const Vector &area = pair.Constraint().Coverage().area;
+   const Vector &present = pair.Constraint().PresentArea();
+   Vector friction(area.Size());
+   for (int j = 0; j < friction.Size(); j++)
+   {
+      friction[j] = state.rubs && state.vertices[j].touches
+                       ? Length(FrictionState::At(state.friction.traction, j)) *
+                            area[j] / present[j]
+                       : 0.0;
+   }
+   return friction;
 }
 
 real_t ContactArea(const ContactPair &pair)
@@ -134,6 +179,10 @@ ContactDiagnostics Diagnose(const ContactPair &pair)
    result.destination_moment = SumOfMoments(
       momentum, pair.Geometry().DestinationPositions(), destination_dofs, comm);
    result.fluid_load_support = FluidLoadSupport(pair);
+   if (pair.State().rubs)
+   {
+      result.friction = DiagnoseFriction(pair);
+   }
    result.area = ContactArea(pair);
    const ContactViolations violations = pair.Enforcement().FindViolations();
    result.penetration = violations.penetration;

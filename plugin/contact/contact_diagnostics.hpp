@@ -6,6 +6,22 @@
 namespace synovia
 {
 
+/// Of a pair with friction.
+struct FrictionDiagnostics
+{
+   /// Resultant of the tangential tractions on the destination, part of the
+   /// force on it.
+   Point3 force{{0.0, 0.0, 0.0}};
+   /// Its size over that of the resultant of the normal tractions: mu_eff where
+   /// flat surfaces slide; 0 without contact.
+   mfem::real_t coefficient = 0.0;
+   /// Part of the area of vertices in contact that slides.
+   mfem::real_t sliding = 0.0;
+   /// Work of friction since the run began (force x length): never negative in
+   /// a step.
+   mfem::real_t dissipation = 0.0;
+};
+
 /// Results of a pair for the history, from the last Evaluate() and
 /// UpdateActiveSet().
 struct ContactDiagnostics
@@ -28,6 +44,7 @@ struct ContactDiagnostics
    mfem::real_t peak_pressure = 0.0;
    /// Fluid volume per time from the source into the destination.
    mfem::real_t fluid_exchange = 0.0;
+   FrictionDiagnostics friction;
 };
 
 /// Collective.
@@ -36,6 +53,9 @@ ContactDiagnostics Diagnose(const ContactPair &pair);
 /// Contact traction at the destination's vertices, per present area (stress,
 /// negative in compression).
 mfem::Vector PresentTraction(const ContactPair &pair);
+
+/// Size of the tangential traction there (stress); zero without friction.
+mfem::Vector PresentFriction(const ContactPair &pair);
 
 /// Area of the destination in contact: where the mean traction around the
 /// vertices, less what it would take to close the mean gap there, is

@@ -10,7 +10,7 @@ namespace synovia
 /// Terms of a contact pair in the linearized equations of a stage, as factors
 /// of true-dof matrices; m are the destination's vertices (SurfaceVertices):
 ///
-///     momentum:  (G^T W R + force_change) du
+///     momentum:  (G^T W R + force_change) du + force_by_pressure dp
 ///     mass:      dt (J^T W_p jump_change + outflow_change) du
 ///                + dt J^T W_p J dp
 ///
@@ -32,6 +32,10 @@ struct ContactFactors
    /// d(G^T (area t))/du at fixed t, displacement x displacement (force /
    /// length); null for none.
    const mfem::HypreParMatrix *force_change = nullptr;
+   /// d(D^T (area t))/dp with the tangential tractions t of friction,
+   /// displacement x pressure (area); null for none. The other derivatives of
+   /// friction are in force_change.
+   const mfem::HypreParMatrix *force_by_pressure = nullptr;
    /// d(J^T (area q))/du at fixed q, pressure x displacement (area / time);
    /// null for none.
    const mfem::HypreParMatrix *outflow_change = nullptr;
@@ -46,7 +50,10 @@ struct ContactFactors
    const mfem::Vector *gap_resistance = nullptr;
 
    /// Whether momentum is symmetric in the displacement.
-   bool IsSymmetric() const { return gap_change == gap && !force_change; }
+   bool IsSymmetric() const
+   {
+      return gap_change == gap && !force_change && !force_by_pressure;
+   }
    /// Whether mass has nothing of the displacement.
    bool IsUncoupled() const { return !jump_change && !outflow_change; }
 };

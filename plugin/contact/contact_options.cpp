@@ -29,6 +29,15 @@ void Verify(const ContactOptions &options, const std::string &pair)
           options.pressure_tolerance);
    verify(options.quadrature_order > 0, "quadrature_order",
           options.quadrature_order);
+   verify(options.friction.coefficient >= 0.0, "friction.coefficient",
+          options.friction.coefficient);
+   if (!(options.friction.solid_fraction >= 0.0 &&
+         options.friction.solid_fraction <= 1.0))
+   {
+      throw Error("contact pair \"" + pair + "\": friction.solid_fraction is " +
+                  ToText(options.friction.solid_fraction) +
+                  "; it must be between 0 (derived) and 1");
+   }
    // Functions with kinks need a rule with positive weights.
    const IntegrationRule &rule =
       IntRules.Get(Geometry::TRIANGLE, options.quadrature_order);

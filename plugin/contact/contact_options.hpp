@@ -45,6 +45,26 @@ enum class InitialOverlap
    remove
 };
 
+/// Coulomb's friction on the share of the load that the solids bear; see
+/// FrictionLaw. Only in finite deformation.
+struct FrictionOptions
+{
+   /// mu_eq, without fluid pressure. 0: frictionless.
+   mfem::real_t coefficient = 0.0;
+   /// phi, the part of the contact area where solid meets solid, at most 1.
+   /// 0: derived, the product of the solid fractions on both sides.
+   mfem::real_t solid_fraction = 0.0;
+};
+
+/// What a side without fluid is to the fluid of the other one where they touch.
+enum class DryPartner
+{
+   /// None passes.
+   impermeable,
+   /// It leaves without resistance, as where nothing touches.
+   draining
+};
+
 /// How contact is enforced. Zero means: derived from the bodies.
 struct ContactOptions
 {
@@ -72,9 +92,12 @@ struct ContactOptions
    /// layer's thickness.
    mfem::real_t overlap_limit = 0.0;
    ContactNormal normal = ContactNormal::destination;
+   /// Without effect where both sides have fluid, which passes between them.
+   DryPartner dry_partner = DryPartner::impermeable;
    /// Exactness of the quadrature on each segment, the part of a destination
    /// face that one source face covers.
    int quadrature_order = 5;
+   FrictionOptions friction;
 };
 
 /// Throws Error that names the @a pair and the option which is out of range.

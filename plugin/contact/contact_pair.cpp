@@ -1,4 +1,5 @@
 #include "synovia/contact/contact_pair.hpp"
+#include "synovia/contact/contact_friction.hpp"
 #include "synovia/contact/finite_constraint.hpp"
 #include "synovia/contact/infinitesimal_constraint.hpp"
 #include "synovia/general/error.hpp"
@@ -31,6 +32,30 @@ std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
    return std::make_unique<InfinitesimalConstraint>(
       geometry, options.configuration, options.initial_overlap);
 }
+
+std::unique_ptr<ContactFriction> MakeFriction(const std::string &pair,
+                                              ContactConstraint &constraint,
+                                              const ContactSurface &destination,
+                                              const ContactOptions &options,
+                                              const ContactScales &scales)
+{
+   FiniteConstraint *finite = dynamic_cast<FiniteConstraint *>(&constraint);
+   if (!finite)
+   {
+      throw Error("contact pair \"" + pair +
+                  "\": there is friction in finite deformation only; set "
+                  "physics.deformation = \"finite\", or leave friction out");
+   }
+   if (scales.fluid == FluidSides::source)
+   {
+      throw Error("contact pair \"" + pair +
+                  "\": friction counts the fluid pressure of the destination, "
+                  "and only the source has fluid; swap the two");
+   }
+   return std::make_unique<ContactFriction>(
+      *finite, destination,
+      FrictionLaw(options.friction.coefficient, scales.solid_fraction));
+}
 } // namespace
 
 ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
@@ -43,6 +68,8 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
      scales(FindContactScales(name, spaces.GetMesh(), materials,
                               source_boundary, destination_boundary,
                               Verified(options, name))),
+     drains(scales.fluid != FluidSides::both &&
+            options.dry_partner == DryPartner::draining),
      geometry(name, spaces, source_boundary, destination_boundary, scales,
               options, tuning),
      constraint(MakeConstraint(geometry, options, deformation,
@@ -57,10 +84,21 @@ ContactPair::ContactPair(const std::string &name_, BiphasicSpaces &spaces,
                   "\": in finite deformation gaps are along the normal of the "
                   "destination; leave normal out");
    }
+   if (options.friction.coefficient > 0.0)
+   {
+      enforcement.AddFriction(MakeFriction(
+         name, *constraint, geometry.Destination(), options, scales));
+   }
 }
 
 bool ContactPair::Search(const Vector &u)
 {
+   ContactFriction *friction = enforcement.Friction();
+   if (friction)
+   {
+      friction->FindOrigin();
+      friction->ForgetDerivatives();
+   }
    const bool found_anew = constraint->Search(u);
    if (found_anew)
    {
@@ -76,11 +114,21 @@ bool ContactPair::Linearize(const Vector &p)
    Vector nodal_flow(area);
    nodal_force *= State().traction;
    nodal_flow *= State().flux;
-   return constraint->Linearize(p, nodal_force, nodal_flow);
+   const bool changed = constraint->Linearize(p, nodal_force, nodal_flow);
+   if (ContactFriction *friction = enforcement.Friction())
+   {
+      friction->Linearize(p, constraint->Factors(), area,
+                          enforcement.Penalties().Gap(), State());
+   }
+   return changed;
 }
 
 void ContactPair::MarkSealed(Vector &sealed) const
 {
+   if (drains)
+   {
+      return;
+   }
    const Vector sealing = State().Sealing();
    const Array<int> &destination_dofs =
       geometry.Destination().Vertices().TrueDofs();
@@ -118,6 +166,11 @@ void ContactPair::AddForces(Vector &momentum, Vector &mass) const
    factors.jump->MultTranspose(nodal_flux, outflow);
    momentum -= force;
    mass += outflow;
+   if (const ContactFriction *friction = enforcement.Friction())
+   {
+      friction->AddForces(State().friction, constraint->Coverage().area,
+                          momentum);
+   }
 }
 
 MultiplierStep ContactPair::FindMultiplierStep(const Vector &du,
@@ -134,7 +187,10 @@ MultiplierStep ContactPair::FindMultiplierStep(const Vector &du,
    }
    gap_change.HostRead();
    jump_change.HostRead();
-   return enforcement.FindMultiplierStep(gap_change, jump_change);
+   MultiplierStep step =
+      enforcement.FindMultiplierStep(gap_change, jump_change);
+   step.friction = enforcement.FindFrictionStep(du, dp);
+   return step;
 }
 
 void ContactPair::AddMagnitudes(const Vector &u, const Vector &p,
@@ -156,6 +212,12 @@ ContactFactors ContactPair::Factors() const
    factors.gap_weights = &State().gap_weights;
    factors.jump_weights = &State().jump_weights;
    factors.gap_resistance = &enforcement.Penalties().AreaResistance();
+   const ContactFriction *friction = enforcement.Friction();
+   if (friction && friction->ForceChange())
+   {
+      factors.force_change = friction->ForceChange();
+      factors.force_by_pressure = friction->ForceByPressure();
+   }
    return factors;
 }
 

@@ -14,9 +14,9 @@ namespace synovia
 /// gap and pressure jump, and what enforces it, put together into what the
 /// pair adds to the balance of momentum and mass.
 ///
-/// Frictionless and biphasic; see FrictionlessLaw. Vectors have an entry for
-/// each of this rank's vertices of the destination (SurfaceVertices): pairs are
-/// as large as their surfaces, whatever the mesh.
+/// Biphasic; see FrictionlessLaw, and ContactFriction. Vectors have an entry
+/// for each of this rank's vertices of the destination (SurfaceVertices): pairs
+/// are as large as their surfaces, whatever the mesh.
 ///
 /// Large because it offers its parts as well as what they make together.
 class ContactPair
@@ -53,7 +53,8 @@ public:
    bool Linearize(const mfem::Vector &p);
 
    /// Sets 1 in @a sealed (multiplier true dofs) for the vertices of either
-   /// surface that this pair seals. Collective.
+   /// surface that this pair seals: none if one of them has no fluid and drains
+   /// the other. Collective.
    void MarkSealed(mfem::Vector &sealed) const;
 
    /// Adds the nodal contact forces to @a momentum (force), and the fluid that
@@ -77,6 +78,7 @@ private:
    std::string name;
    mfem::real_t source_sealing_coverage;
    ContactScales scales;
+   bool drains;
    ContactGeometry geometry;
    std::unique_ptr<ContactConstraint> constraint;
    AugmentedLagrangian enforcement;

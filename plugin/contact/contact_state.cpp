@@ -6,7 +6,8 @@ namespace synovia
 
 using namespace mfem;
 
-ContactState::ContactState(int size) : vertices(size)
+ContactState::ContactState(int size, bool rubs_)
+   : vertices(size), rubs(rubs_), friction(rubs ? size : 0)
 {
    for (Vector *v :
         {&multiplier, &flux_multiplier, &gap, &jump, &pressure, &traction,
@@ -66,6 +67,10 @@ void ContactState::Archive(StateArchive &archive, const std::string &prefix,
    {
       vertices[j].touches = active[j] > 0.5;
       vertices[j].seals = sealing[j] > 0.5;
+   }
+   if (rubs)
+   {
+      friction.Archive(archive, prefix + "friction.", destination);
    }
    archive.Number(prefix + "gap_stiffening", stiffening.gap);
    archive.Number(prefix + "jump_stiffening", stiffening.jump);

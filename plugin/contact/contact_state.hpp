@@ -2,6 +2,7 @@
 
 #include "synovia/contact/contact_penalties.hpp"
 #include "synovia/contact/contact_surface.hpp"
+#include "synovia/contact/friction_state.hpp"
 #include "synovia/contact/multiplier_history.hpp"
 #include "synovia/general/state_archive.hpp"
 
@@ -25,7 +26,8 @@ struct VertexContact
 /// vertices of the destination. A failed step restores a copy of them.
 struct ContactState
 {
-   explicit ContactState(int vertices_);
+   /// Without friction unless @a rubs.
+   explicit ContactState(int vertices_, bool rubs = false);
 
    /// Lists all of it that outlasts a step, with names that begin with
    /// @a prefix. Collective.
@@ -44,7 +46,8 @@ struct ContactState
    mfem::Vector gap;
    /// Of the pressure, source less destination (stress).
    mfem::Vector jump;
-   /// Of the destination's fluid (stress).
+   /// Of the destination's fluid, or the source's if it alone has some
+   /// (stress).
    mfem::Vector pressure;
    /// Stress, negative in compression.
    mfem::Vector traction;
@@ -54,6 +57,9 @@ struct ContactState
    /// Area x penalty of what touches or exchanges fluid, else 0.
    mfem::Vector gap_weights;
    mfem::Vector jump_weights;
+   /// Whether there is friction, and what it is like.
+   bool rubs = false;
+   FrictionState friction;
    MultiplierHistory history;
    Stiffening stiffening;
    /// Whether a vertex of this rank bore traction at the end of any step.

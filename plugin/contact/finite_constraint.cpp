@@ -71,6 +71,14 @@ std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
    return found;
 }
 
+std::unique_ptr<FiniteGap> FiniteConstraint::FindGap(const Vector &u)
+{
+   geometry.SetDisplacement(u);
+   displacement = u;
+   searched_anew.reset();
+   return SearchAnew();
+}
+
 bool FiniteConstraint::HasDrifted()
 {
    if (!gaps->HasDrifted())

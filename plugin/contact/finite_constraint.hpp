@@ -42,6 +42,13 @@ public:
       return gaps->PresentNormalArea();
    }
    ContactFactors Factors() const override;
+   /// Of the last search; derivatives of the last Linearize().
+   const FiniteGap &Gap() const { return *gaps; }
+   /// Of the surfaces (true dofs).
+   const mfem::Vector &Displacement() const { return displacement; }
+   /// Lets the surfaces look for each other at displacement @a u, and leaves
+   /// them there: Search() must follow. Collective.
+   std::unique_ptr<FiniteGap> FindGap(const mfem::Vector &u);
    void Archive(StateArchive &archive, const std::string &prefix) override;
 
 private:
@@ -61,7 +68,6 @@ private:
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;
    bool reached = false;
-   /// Of the surfaces (true dofs).
    mfem::Vector displacement;
    /// Whether gaps has derivatives, of where the surfaces are or were.
    bool linearized = false;

@@ -1,6 +1,6 @@
 #include "synovia/contact/finite_gap.hpp"
-#include "synovia/contact/local_blocks.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/contact/vertex_blocks.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <cmath>
@@ -14,69 +14,6 @@ namespace
 {
 // A vertex that only grazes the source has no say: part of the largest area.
 constexpr real_t grazes = 1e-8;
-
-/// Rows are the vertices of a destination face, columns dofs of one face.
-class VertexBlock
-{
-public:
-   VertexBlock(std::size_t rows, std::size_t columns)
-      : values(static_cast<int>(rows), static_cast<int>(columns))
-   {
-      values = 0.0;
-   }
-   /// Adds weight_j x shape_k.
-   void Add(const Vector &weights, const Vector &shape)
-   {
-      AddMultVWt(weights, shape, values);
-   }
-   /// Adds weight_j x shape_k x direction_d in column 3 k + d.
-   void Add(const Vector &weights, const Vector &shape, const Point3 &direction)
-   {
-      for (int k = 0; k < shape.Size(); k++)
-      {
-         for (int d = 0; d < 3; d++)
-         {
-            for (int j = 0; j < weights.Size(); j++)
-            {
-               values(j, 3 * k + d) += weights[j] * shape[k] * direction[d];
-            }
-         }
-      }
-   }
-   void AppendTo(real_t sign, const std::vector<HYPRE_BigInt> &rows,
-                 const std::vector<HYPRE_BigInt> &columns,
-                 std::vector<Triplet> &triplets) const
-   {
-      AppendBlock(sign, values, rows, 0, columns, triplets);
-   }
-
-private:
-   DenseMatrix values;
-};
-
-/// A sum over the vertices around them, zero at first.
-class VertexSums
-{
-public:
-   explicit VertexSums(const SurfaceVertices &surface_)
-      : surface(surface_), local(surface.LocalSize())
-   {
-      local = 0.0;
-   }
-   void Add(const Array<int> &vertices, real_t factor, const Vector &weights)
-   {
-      for (int j = 0; j < vertices.Size(); j++)
-      {
-         local[vertices[j]] += factor * weights[j];
-      }
-   }
-   /// Collective.
-   Vector OverRanks() const { return surface.SumShared(local); }
-
-private:
-   const SurfaceVertices &surface;
-   Vector local;
-};
 } // namespace
 
 FiniteGap::FiniteGap(const ContactSurface &source,
@@ -179,18 +116,21 @@ void FiniteGap::Assemble()
       inverse_area[j] = area > 0.0 ? 1.0 / area : 0.0;
    }
    gap *= inverse_area;
-   const auto assemble =
-      [&](const std::vector<Triplet> &entries, ParFiniteElementSpace &columns)
-   {
-      auto matrix = AssembleTriplets(
-         spaces.GetComm(), entries, m.Offsets(), m.GlobalSize(),
-         columns.GetTrueDofOffsets(), columns.GlobalTrueVSize());
-      rim.Gather(matrix);
-      matrix->ScaleRows(inverse_area);
-      return matrix;
-   };
-   operators.gap = assemble(gap_entries, spaces.Displacement());
-   operators.jump = assemble(jump_entries, spaces.Pressure());
+   operators.gap = AssembleRows(gap_entries, spaces.Displacement());
+   operators.jump = AssembleRows(jump_entries, spaces.Pressure());
+}
+
+std::unique_ptr<HypreParMatrix>
+FiniteGap::AssembleRows(const std::vector<Triplet> &entries,
+                        ParFiniteElementSpace &columns) const
+{
+   const SurfaceVertices &m = pairing.Destination().Vertices();
+   auto matrix =
+      AssembleTriplets(spaces.GetComm(), entries, m.Offsets(), m.GlobalSize(),
+                       columns.GetTrueDofOffsets(), columns.GlobalTrueVSize());
+   rim.Gather(matrix);
+   matrix->ScaleRows(inverse_area);
+   return matrix;
 }
 
 void FiniteGap::AssembleCoverage()

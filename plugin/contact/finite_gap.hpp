@@ -1,7 +1,9 @@
 #pragma once
 
 #include "synovia/contact/rim_vertices.hpp"
+#include "synovia/contact/sliding_maps.hpp"
 #include "synovia/contact/surface_pairing.hpp"
+#include "synovia/general/parallel_triplets.hpp"
 
 #include <memory>
 
@@ -40,12 +42,20 @@ public:
    void Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
                   const mfem::Vector &nodal_flow);
 
+   /// Of the points where the surfaces were last.
+   SlidingMaps FindSlidingMaps() const;
+   /// There, for pressures @a p (true dofs) and nodal forces area x tangential
+   /// traction.
+   SlidingChanges
+   FindSlidingChanges(const mfem::Vector &p,
+                      const VectorByComponent &nodal_force) const;
+
    /// Whether points have gone to other faces since the last Search().
    bool HasDrifted() const { return pairing.HasDrifted(); }
 
    /// gap and jump of these are the maps G and J of nodal forces and flows;
-   /// gap_offset is not used. Areas are those of the undeformed surfaces, but
-   /// for face_coverage, which is that of the last Search().
+   /// gap_offset is not used. Areas are undeformed ones, except face_coverage,
+   /// which has current areas at the last Search().
    const GapOperators &Operators() const { return operators; }
    GapOperators &Operators() { return operators; }
    /// g_j (length).
@@ -68,6 +78,11 @@ private:
    void Assemble();
    /// What only changes with the points.
    void AssembleCoverage();
+   /// Sums over shape functions, a row a vertex, as means of the functions of
+   /// multipliers.
+   std::unique_ptr<mfem::HypreParMatrix>
+   AssembleRows(const std::vector<Triplet> &entries,
+                mfem::ParFiniteElementSpace &columns) const;
 
    BiphasicSpaces &spaces;
    SurfacePairing pairing;

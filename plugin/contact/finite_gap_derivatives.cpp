@@ -1,6 +1,7 @@
+#include "synovia/contact/displacement_change.hpp"
 #include "synovia/contact/finite_gap.hpp"
-#include "synovia/contact/local_blocks.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/contact/vertex_blocks.hpp"
 
 namespace synovia
 {
@@ -9,54 +10,6 @@ using namespace mfem;
 
 namespace
 {
-/// Entries of a derivative by the displacement: directly, and by way of the
-/// vertices' normals.
-class Change
-{
-public:
-   /// Columns of @a block are those of PairedPointShapes::Row().
-   void Append(const DenseMatrix &block, const std::vector<HYPRE_BigInt> &rows,
-               const PairedPointShapes &at)
-   {
-      const std::vector<HYPRE_BigInt> &other = at.SourceDofs().displacement;
-      const std::vector<HYPRE_BigInt> &own = at.DestinationDofs().displacement;
-      AppendBlock(1.0, block, rows, 0, other, direct);
-      AppendBlock(1.0, block, rows, static_cast<int>(other.size()), own,
-                  direct);
-      AppendBlock(1.0, block, rows, at.DisplacementColumns(), at.NormalRows(),
-                  by_normals);
-   }
-   /// Columns of @a block are those of the normals alone.
-   void AppendByNormals(const DenseMatrix &block,
-                        const std::vector<HYPRE_BigInt> &rows,
-                        const PairedPointShapes &at)
-   {
-      AppendBlock(1.0, block, rows, 0, at.NormalRows(), by_normals);
-   }
-
-   std::unique_ptr<HypreParMatrix>
-   Assemble(HYPRE_BigInt *row_offsets, HYPRE_BigInt rows,
-            ParFiniteElementSpace &displacement, const SurfaceNormals &normals,
-            const HypreParMatrix &normals_change) const
-   {
-      MPI_Comm comm = displacement.GetComm();
-      const auto by_displacement = AssembleTriplets(
-         comm, direct, row_offsets, rows, displacement.GetTrueDofOffsets(),
-         displacement.GlobalTrueVSize());
-      const auto by_normal =
-         AssembleTriplets(comm, by_normals, row_offsets, rows,
-                          normals.RowOffsets(), normals.GlobalRows());
-      const std::unique_ptr<HypreParMatrix> product(
-         ParMult(by_normal.get(), &normals_change, true));
-      return std::unique_ptr<HypreParMatrix>(
-         Add(1.0, *by_displacement, 1.0, *product));
-   }
-
-private:
-   std::vector<Triplet> direct;
-   std::vector<Triplet> by_normals;
-};
-
 /// What the points on one pair of faces add.
 class FacePairChange
 {
@@ -104,8 +57,9 @@ public:
       }
    }
 
-   void AppendTo(Change &all_gap, Change &all_jump, Change &all_force,
-                 Change &all_outflow) const
+   void AppendTo(DisplacementChange &all_gap, DisplacementChange &all_jump,
+                 DisplacementChange &all_force,
+                 DisplacementChange &all_outflow) const
    {
       const FaceDofs &own = at.DestinationDofs();
       const FaceDofs &other = at.SourceDofs();
@@ -164,17 +118,6 @@ private:
    Vector slope;
    Vector along_normal;
 };
-
-real_t Interpolate(const Vector &shape, const Array<int> &vertices,
-                   const Vector &values)
-{
-   real_t value = 0.0;
-   for (int v = 0; v < vertices.Size(); v++)
-   {
-      value += shape[v] * values[vertices[v]];
-   }
-   return value;
-}
 } // namespace
 
 void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
@@ -191,10 +134,10 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
    traction = m.Share(traction);
    flux = m.Share(flux);
 
-   Change by_gap;
-   Change by_jump;
-   Change by_force;
-   Change by_outflow;
+   DisplacementChange by_gap;
+   DisplacementChange by_jump;
+   DisplacementChange by_force;
+   DisplacementChange by_outflow;
    PairedPointShapes at(pairing);
    Vector phi;
    const std::vector<PairedPoint> &points = pairing.Points();
@@ -220,7 +163,7 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
    const SurfaceNormals &normals = pairing.Normals();
    const auto normals_change = normals.Derivative();
    ParFiniteElementSpace &u = spaces.Displacement();
-   const auto by_vertex = [&](const Change &change)
+   const auto by_vertex = [&](const DisplacementChange &change)
    {
       auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(), u, normals,
                                     *normals_change);
@@ -228,7 +171,8 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
       matrix->ScaleRows(inverse_area);
       return matrix;
    };
-   const auto by_dof = [&](const Change &change, ParFiniteElementSpace &rows)
+   const auto by_dof =
+      [&](const DisplacementChange &change, ParFiniteElementSpace &rows)
    {
       return change.Assemble(rows.GetTrueDofOffsets(), rows.GlobalTrueVSize(),
                              u, normals, *normals_change);

@@ -59,7 +59,7 @@ GapOperators AssembleGapOperators(const ContactSurface &source,
                                   const GapOptions &options);
 
 /// Collective. Applies a jump operator to the pressures @a p (true dofs) of
-/// both surfaces, and, with the opposite sign, to those of the destination
+/// both surfaces, and, with the opposite sign, to the destination's pressures
 /// alone.
 void MultJump(const mfem::HypreParMatrix &map,
               const ContactSurface &destination, const mfem::Vector &p,

@@ -32,7 +32,7 @@ public:
    /// Local vertices of the destination's face.
    const mfem::Array<int> &Vertices() const { return face->Vertices(); }
 
-   /// Area of the destination, per reference area, and that of the source.
+   /// Current area per reference area, of the destination and of the source.
    mfem::real_t Stretch() const { return stretch; }
    mfem::real_t SourceStretch() const;
    const Point3 &Normal() const { return normal; }
@@ -57,8 +57,8 @@ public:
    const Point3 &AlongGap() const { return along_gap; }
    const std::array<Point3, 2> &AlongHit() const { return along_hit; }
 
-   /// Columns of Row(): displacement of the source's face, that of the
-   /// destination's, and the vertices' normals.
+   /// Columns of Row(): displacements of the source's face and of the
+   /// destination's face, and the vertices' normals.
    int Columns() const;
    int DisplacementColumns() const;
    /// along . s as a row.

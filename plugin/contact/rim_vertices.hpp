@@ -25,8 +25,8 @@ public:
    /// that these make up. Collective.
    void Update(const SurfacePairing &pairing, const mfem::Vector &covered_area);
 
-   /// Gives sums over shape functions (an entry, or a row, a vertex) those of
-   /// the functions of multipliers, zero at the rim. Collective.
+   /// Turns sums over shape functions (an entry, or a row, a vertex) into sums
+   /// over the functions of multipliers, zero at the rim. Collective.
    void Gather(mfem::Vector &sums) const;
    void Gather(std::unique_ptr<mfem::HypreParMatrix> &sums) const;
    /// The other way: gives the rim's vertices what those around have.

@@ -10,9 +10,9 @@ namespace synovia
 {
 
 /// Normals of a deformed surface that are continuous where it is faceted: at a
-/// vertex the mean of those of the faces around it, weighted by their areas,
-/// and linear (bilinear) in between. Ends of the surface, such as planes of
-/// symmetry, have faces on one side only.
+/// vertex the mean of the normals of the faces around it, weighted by their
+/// areas, and linear (bilinear) in between. Ends of the surface, such as planes
+/// of symmetry, have faces on one side only.
 class SurfaceNormals
 {
 public:

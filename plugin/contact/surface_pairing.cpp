@@ -20,9 +20,9 @@ constexpr real_t edge_tolerance = 1e-6;
 // How far a face's continuation goes on, in reference coordinates.
 constexpr real_t continuation = 0.5;
 
-/// How far a point is outside of a face, in reference coordinates: those by
-/// which it is beyond either edge together, so that of two faces the one beside
-/// the point is the nearer one, also beyond the rim.
+/// Distance of a point from a face it is outside of, in reference coordinates:
+/// the sum of the distances beyond each edge, so that of two faces the one
+/// beside the point is the nearer one, also beyond the rim.
 real_t Outside(Geometry::Type geometry, const IntegrationPoint &ip)
 {
    const auto beyond = [](real_t x) { return std::max<real_t>(0.0, x); };

@@ -43,7 +43,7 @@ struct PairedPoint
 class SurfacePairing
 {
 public:
-   /// Borrows both surfaces. @a options.normal must be that of the destination.
+   /// Borrows both surfaces. @a options.normal must be the destination's.
    SurfacePairing(const ContactSurface &source,
                   const ContactSurface &destination, const GapOptions &options);
 

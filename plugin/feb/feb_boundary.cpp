@@ -109,6 +109,12 @@ void ReadCondition(const FebInput &condition, FebModel &model)
    condition.Expect("relative", false,
                     "values relative to those at the start are not known");
    const std::string set = condition.NeededAttribute("node_set");
+   const std::vector<int> *of_set = model.surfaces->FindNodes(set);
+   if (has({"rigid"}) && of_set && model.AreRigid(*of_set))
+   {
+      condition.IgnoreAll("its nodes are part of a rigid body");
+      return;
+   }
    const std::string surface = model.surfaces->OfNodes(set, condition);
    const std::string dofs =
       has({"fix"}) ? condition.Word("dofs", "") : condition.Word("dof", "");

@@ -1,5 +1,7 @@
 #include "synovia/feb/feb_model.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -21,6 +23,35 @@ void IgnorePenalties(const FebInput &contact)
    }
 }
 
+// Friction on the share of the load that the solids bear, as FEBio has it.
+FrictionOptions ReadFriction(const FebInput &contact)
+{
+   // 0 would be the product of the solid fractions of both sides.
+   constexpr real_t no_solid = 1e-12;
+   FrictionOptions friction;
+   friction.coefficient = contact.Number("fric_coeff", 0.0);
+   const real_t fraction = contact.Number("contact_frac", 0.0);
+   if (friction.coefficient != 0.0)
+   {
+      friction.solid_fraction = std::max(no_solid, fraction);
+   }
+   if (!(friction.coefficient >= 0.0) || !(friction.solid_fraction <= 1.0))
+   {
+      contact.Stop("fric_coeff must not be negative, and contact_frac must be "
+                   "between 0 and 1");
+   }
+   contact.Ignore("smooth_fls", "fluid load support is always that of averages "
+                                "around the nodes");
+   return friction;
+}
+
+bool IsRigid(const std::string &surface, FebModel &model)
+{
+   const std::vector<int> *nodes =
+      model.surfaces->FindNodes("@surface:" + surface);
+   return nodes && model.AreRigid(*nodes);
+}
+
 void ReadPair(const FebInput &contact, FebModel &model)
 {
    const std::string type = contact.NeededAttribute("type");
@@ -34,11 +65,7 @@ void ReadPair(const FebInput &contact, FebModel &model)
    pair.name = PlainName(contact.Attribute("name"));
    pair.options.configuration = SearchConfiguration::current;
    IgnorePenalties(contact);
-   contact.Expect("fric_coeff", false, "friction is not known");
-   for (const char *name : {"contact_frac", "smooth_fls"})
-   {
-      contact.Ignore(name, "it belongs to friction");
-   }
+   pair.options.friction = ReadFriction(contact);
    contact.Expect("node_reloc", false, "nodes are not moved before contact");
    for (const char *name : {"flip_primary", "flip_secondary",
                             "shell_bottom_primary", "shell_bottom_secondary"})
@@ -58,6 +85,16 @@ void ReadPair(const FebInput &contact, FebModel &model)
       model.surfaces->OfFacets(surfaces->second.second, contact);
    pair.destination = {primary};
    pair.source = {secondary};
+   const bool rigid_primary = IsRigid(surfaces->second.first, model);
+   if (rigid_primary && IsRigid(surfaces->second.second, model))
+   {
+      contact.Stop("both surfaces are of rigid bodies");
+   }
+   if (rigid_primary)
+   {
+      // Rigid surfaces bear no multipliers.
+      std::swap(pair.destination, pair.source);
+   }
    if (!primary.empty() && !secondary.empty())
    {
       model.setup.contacts.push_back(pair);

@@ -37,8 +37,8 @@ public:
    const std::vector<mfem::real_t> &Times() const { return times; }
    bool Repeats() const { return beyond == Beyond::repeat; }
 
-   /// The curve as those of cases are, linear between the points: the same at
-   /// the ends of the steps, which ascend from above 0.
+   /// As a curve of a case, linear between the points: the same values at the
+   /// ends of the steps, which ascend from above 0.
    LoadCurve ForSteps(const std::vector<mfem::real_t> &ends,
                       mfem::real_t factor) const;
 

@@ -1,6 +1,7 @@
 #include "synovia/feb/feb_import.hpp"
 #include "synovia/cases/case_keys.hpp"
 #include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_rigid_parts.hpp"
 #include "synovia/feb/feb_steady.hpp"
 #include "synovia/feb/msh_writer.hpp"
 #include "synovia/general/error.hpp"
@@ -27,10 +28,10 @@ void ReadModule(const FebInput &root)
 {
    const std::optional<FebInput> module = root.Find("Module");
    const std::string type = module ? module->Attribute("type") : "";
-   if (module && type != "biphasic")
+   if (module && type != "biphasic" && type != "solid")
    {
       module->Stop("the module \"" + type +
-                   "\" is not known; there is biphasic");
+                   "\" is not known; there are biphasic and solid");
    }
    if (!module)
    {
@@ -118,7 +119,17 @@ void AddRigidBodies(const FebInput &root, FebModel &model)
       body.name = PlainName(material.name.empty() ? "rigid_" + material.number
                                                   : material.name);
       body.reference = material.center;
-      TieSharedNodes(root, material, model, body);
+      for (const int part : material.parts)
+      {
+         if (model.touching.count(part) > 0)
+         {
+            body.regions.push_back(model.mesh.parts[part].name);
+         }
+      }
+      if (body.regions.empty())
+      {
+         TieSharedNodes(root, material, model, body);
+      }
       model.setup.rigid_bodies.push_back(body);
    }
 }
@@ -153,6 +164,14 @@ int Order(const FebMesh &mesh, const std::set<int> &parts)
    return order;
 }
 
+// Those of the case's mesh.
+std::set<int> Parts(const FebModel &model)
+{
+   std::set<int> parts(model.materials.deformable);
+   parts.insert(model.touching.begin(), model.touching.end());
+   return parts;
+}
+
 void ReadModel(const FebInput &root, FebModel &model)
 {
    ReadModule(root);
@@ -164,6 +183,7 @@ void ReadModel(const FebInput &root, FebModel &model)
    ForSection(root, "Control",
               [&](const FebInput &section)
               { model.steps = ReadControl(section, model.curves); });
+   ReadStepTimes(root, model);
    for (const char *name : {"Mesh", "Geometry"})
    {
       ForSection(root, name,
@@ -176,8 +196,10 @@ void ReadModel(const FebInput &root, FebModel &model)
    ForSection(root, "Material",
               [&](const FebInput &section)
               { model.materials = ReadMaterials(section, model.mesh); });
-   model.surfaces =
-      std::make_unique<FebSurfaces>(model.mesh, model.materials.deformable);
+   model.touching = FindTouchingParts(model.mesh, model.materials);
+   ThickenShells(model.touching, model.mesh);
+   model.surfaces = std::make_unique<FebSurfaces>(
+      model.mesh, model.materials.deformable, model.touching);
    model.setup.materials = model.materials.materials;
    AddRigidBodies(root, model);
    using Section = void (*)(const FebInput &, FebModel &);
@@ -194,13 +216,23 @@ void ReadModel(const FebInput &root, FebModel &model)
          read(*section, model);
       }
    }
+   ReadStepChanges(root, model);
+   for (MaterialCase &material : model.setup.materials)
+   {
+      if (!model.setup.acceleration)
+      {
+         material.solid_density = 0.0;
+         material.fluid_density = 0.0;
+      }
+   }
    for (size_t i = 0; i < model.setup.rigid_bodies.size(); i++)
    {
-      if (model.setup.rigid_bodies[i].surfaces.empty())
+      const RigidBodyCase &body = model.setup.rigid_bodies[i];
+      if (body.surfaces.empty() && body.regions.empty())
       {
          model.materials.rigid[i].where.Stop(
-            "no nodes of a deformable solid are tied to this rigid body; one "
-            "that only touches others is not known");
+            "no nodes of a deformable solid are tied to this rigid body, and "
+            "no contact has a surface of it");
       }
    }
 }
@@ -279,8 +311,7 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    import.setup.time = model.steps.Options();
    import.setup.output.directory = "out/" + name;
    import.setup.output.fields_every = model.steps.fields_every;
-   import.mesh =
-      MshText(model.mesh, model.materials.deformable, *model.surfaces);
+   import.mesh = MshText(model.mesh, Parts(model), *model.surfaces);
    return import;
 }
 

@@ -37,9 +37,8 @@ std::map<std::string, mfem::real_t> ReadParameters(const FebInput &from,
 /// The vector's components along r, theta and z of the frame.
 Point3 InFrame(const Point3 &vector, const FrameCase &frame);
 
-/// For each of the material's axes, in columns, the place among r, theta, z of
-/// that of the frame which is along it, either way. The import stops if one has
-/// none.
+/// For each of the material's axes, in columns, which of the frame's axes r,
+/// theta, z (0 to 2) is parallel to it. The import stops if one has none.
 std::array<int, 3> FindAxes(const FebInput &from, const Tensor3<> &axes,
                             const FrameCase &frame);
 

@@ -11,6 +11,9 @@ namespace synovia
 SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
                     const FrameCase &frame);
 
+/// Whether a type is that of a solid which ReadSolid() knows.
+bool IsSolidType(const std::string &type);
+
 /// Reads a permeability likewise; it is along the axes of @a frame. One that
 /// can't be stops the import.
 PermeabilityCase ReadPermeability(const FebInput &permeability,

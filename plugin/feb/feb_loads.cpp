@@ -196,8 +196,40 @@ void ReadNodalLoad(const FebInput &load, FebModel &model)
 }
 } // namespace
 
+namespace
+{
+// A force per mass, which FEBio takes the other way round.
+void ReadBodyLoad(const FebInput &load, FebModel &model)
+{
+   load.Attribute("name");
+   const std::string type = load.NeededAttribute("type");
+   if (type != "const" || load.HasAttribute("elem_set"))
+   {
+      load.StopAll("there are body loads of the type const, of all bodies");
+      return;
+   }
+   if (!model.setup.acceleration)
+   {
+      model.setup.acceleration = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
+   }
+   const char *const axes[3] = {"x", "y", "z"};
+   for (int d = 0; d < 3; d++)
+   {
+      if (const std::optional<FebInput> value = load.Find(axes[d]))
+      {
+         LoadCurve &sum = (*model.setup.acceleration)[d];
+         sum = Difference(sum, model.Value(*value));
+      }
+   }
+}
+} // namespace
+
 void ReadLoads(const FebInput &section, FebModel &model)
 {
+   for (const FebInput &load : section.All("body_load"))
+   {
+      ReadBodyLoad(load, model);
+   }
    for (const FebInput &load : section.All("nodal_load"))
    {
       ReadNodalLoad(load, model);

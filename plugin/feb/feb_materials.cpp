@@ -11,6 +11,19 @@ namespace
 // Cases have none without a solid.
 constexpr real_t least_solid_fraction = 1e-9;
 
+// That of body loads.
+real_t ReadDensity(const FebInput &from, const std::string &child,
+                   real_t standard)
+{
+   const real_t density = from.Number(child, standard);
+   if (!(density >= 0.0))
+   {
+      from.Stop(child + " must not be negative");
+      return standard;
+   }
+   return density;
+}
+
 MaterialCase ReadBiphasic(const FebInput &material)
 {
    MaterialCase result;
@@ -24,8 +37,8 @@ MaterialCase ReadBiphasic(const FebInput &material)
       result.solid_fraction = least_solid_fraction;
       material.Approximate("phi0 = 0 is taken for 1e-9");
    }
-   material.Ignore("fluid_density", "inertia is left out");
-   material.Ignore("density", "inertia is left out");
+   result.fluid_density = ReadDensity(material, "fluid_density", 0.0);
+   material.Ignore("density", "that of the solid counts");
    material.Expect("tau", false, "tau other than 0 is not known");
    const Tensor3<> axes = ReadAxes(material);
    const std::optional<FebInput> permeability = material.Find("permeability");
@@ -37,7 +50,19 @@ MaterialCase ReadBiphasic(const FebInput &material)
    }
    result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
    result.permeability = ReadPermeability(*permeability, axes, result.frame);
+   result.solid_density = ReadDensity(*solid, "density", 1.0);
    result.solid = ReadSolid(*solid, axes, result.frame);
+   return result;
+}
+
+MaterialCase ReadElastic(const FebInput &material)
+{
+   MaterialCase result;
+   result.permeability.model = PermeabilityCase::none;
+   const Tensor3<> axes = ReadAxes(material);
+   result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
+   result.solid_density = ReadDensity(material, "density", 1.0);
+   result.solid = ReadSolid(material, axes, result.frame);
    return result;
 }
 
@@ -98,16 +123,18 @@ FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh)
       if (type == "rigid body")
       {
          result.rigid.push_back(ReadRigid(material));
+         result.rigid.back().parts.insert(parts.begin(), parts.end());
          continue;
       }
-      if (type != "biphasic")
+      if (type != "biphasic" && !IsSolidType(type))
       {
          material.StopAll("materials of the type \"" + type +
-                          "\" are not known; there are biphasic and rigid "
-                          "body");
+                          "\" are not known; there are biphasic, rigid body, "
+                          "and solids without fluid");
          continue;
       }
-      MaterialCase entry = ReadBiphasic(material);
+      MaterialCase entry =
+         type == "biphasic" ? ReadBiphasic(material) : ReadElastic(material);
       for (const int p : parts)
       {
          if (mesh.parts[p].shape->dimension != 3)

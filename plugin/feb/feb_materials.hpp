@@ -17,6 +17,8 @@ struct FebRigidMaterial
    /// For messages.
    FebInput where;
    Point3 center{{0.0, 0.0, 0.0}};
+   /// Places of the parts that are of it.
+   std::set<int> parts{};
 
    bool IsCalled(const std::string &word) const
    {

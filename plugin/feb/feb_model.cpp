@@ -1,5 +1,7 @@
 #include "synovia/feb/feb_model.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -35,6 +37,21 @@ RigidBodyCase *FebModel::FindRigid(const std::string &word,
    }
    where.Stop("there is no rigid body called \"" + word + "\"");
    return nullptr;
+}
+
+bool FebModel::AreRigid(const std::vector<int> &nodes) const
+{
+   std::set<int> rigid;
+   for (const int part : touching)
+   {
+      for (const FebCell &cell : mesh.parts[part].cells)
+      {
+         rigid.insert(cell.nodes.begin(), cell.nodes.end());
+      }
+   }
+   return !nodes.empty() &&
+          std::all_of(nodes.begin(), nodes.end(),
+                      [&rigid](int node) { return rigid.count(node) > 0; });
 }
 
 } // namespace synovia

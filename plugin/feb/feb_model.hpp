@@ -17,6 +17,8 @@ struct FebModel
    FebCurves curves;
    FebSteps steps;
    FebMaterials materials;
+   /// Places of the parts of rigid bodies that others touch.
+   std::set<int> touching;
    /// Borrows the mesh.
    std::unique_ptr<FebSurfaces> surfaces;
    CaseFile setup;
@@ -30,6 +32,8 @@ struct FebModel
    /// The rigid body of the case that @a word stands for, by the number or name
    /// of its material; null, and @a where stops, if there is none.
    RigidBodyCase *FindRigid(const std::string &word, const FebInput &where);
+   /// Whether all nodes belong to rigid bodies that others touch.
+   bool AreRigid(const std::vector<int> &nodes) const;
 };
 
 /// Add what a section of the file says to the case of the model.
@@ -38,5 +42,11 @@ void ReadRigid(const FebInput &section, FebModel &model);
 void ReadLoads(const FebInput &section, FebModel &model);
 void ReadConstraints(const FebInput &section, FebModel &model);
 void ReadContact(const FebInput &section, FebModel &model);
+
+/// Reads the steps of a model without them: their time steps, of which those of
+/// the model are made up.
+void ReadStepTimes(const FebInput &root, FebModel &model);
+/// Then what changes in each of them, when the rest has been read.
+void ReadStepChanges(const FebInput &root, FebModel &model);
 
 } // namespace synovia

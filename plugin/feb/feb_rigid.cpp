@@ -1,5 +1,7 @@
 #include "synovia/feb/feb_model.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -188,6 +190,49 @@ void ReadEntry(const FebInput &entry, FebModel &model)
       ReadLoad(entry, freedom, value, *body);
    }
 }
+
+// The end of a spring at one of the bodies a and b.
+LigamentEnd ReadEnd(const FebInput &spring, const std::string &which,
+                    FebModel &model)
+{
+   LigamentEnd end;
+   const RigidBodyCase *body =
+      model.FindRigid(spring.Word("body_" + which, ""), spring);
+   end.body = body ? body->name : "";
+   const std::optional<FebInput> place = spring.Find("insertion_" + which);
+   const std::vector<real_t> point =
+      place ? place->Numbers() : std::vector<real_t>(3, 0.0);
+   if (point.size() == 3)
+   {
+      std::copy(point.begin(), point.end(), end.point.begin());
+   }
+   else
+   {
+      spring.Stop("insertion_" + which + " must have 3 numbers");
+   }
+   return end;
+}
+
+void ReadConnector(const FebInput &entry, FebModel &model)
+{
+   const std::string type = entry.NeededAttribute("type");
+   if (type != "rigid spring")
+   {
+      entry.StopAll("connectors of the type \"" + type +
+                    "\" are not known; there is \"rigid spring\"");
+      return;
+   }
+   Ligament spring;
+   spring.name = "spring " + std::to_string(model.setup.ligaments.size() + 1);
+   const std::string name = entry.Attribute("name");
+   spring.name = name.empty() ? spring.name : name;
+   spring.from = ReadEnd(entry, "a", model);
+   spring.to = ReadEnd(entry, "b", model);
+   spring.options.stiffness = entry.Number("k", 1.0);
+   spring.options.slack_length = entry.Number("free_length", 0.0);
+   spring.options.compression = true;
+   model.setup.ligaments.push_back(spring);
+}
 } // namespace
 
 void ReadRigid(const FebInput &section, FebModel &model)
@@ -198,6 +243,10 @@ void ReadRigid(const FebInput &section, FebModel &model)
       {
          ReadEntry(entry, model);
       }
+   }
+   for (const FebInput &entry : section.All("rigid_connector"))
+   {
+      ReadConnector(entry, model);
    }
    for (const FebInput &conditions : section.All("rigid_body"))
    {

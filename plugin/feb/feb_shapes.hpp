@@ -18,14 +18,14 @@ struct FebShape
    int order = 1;
    /// The number of the type in MSH files.
    int gmsh_type = 0;
-   /// For each node in the order of MSH files its place in that of FEBio.
+   /// For each node in the order of MSH files its place in FEBio's order.
    std::vector<int> order_in_gmsh;
    /// Corners and middles of edges and of the face itself, by their places.
    std::vector<std::vector<int>> faces;
 };
 
-/// The type of that name, or null. Names with another rule of integration, such
-/// as HEX8G6, are those of the type.
+/// The type of that name, or null. Names that add a rule of integration, such
+/// as HEX8G6, mean the type without it.
 const FebShape *FindFebShape(const std::string &name);
 
 /// Names of all types of bodies, for messages.

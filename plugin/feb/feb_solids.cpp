@@ -127,11 +127,20 @@ SolidCase ReadContinuous(const FebInput &solid, const Tensor3<> &axes,
 }
 } // namespace
 
+bool IsSolidType(const std::string &type)
+{
+   const std::vector<LawWords> &words = SolidWords();
+   return type == "ellipsoidal fiber distribution" ||
+          type == "continuous fiber distribution" || type == "solid mixture" ||
+          std::any_of(words.begin(), words.end(),
+                      [&type](const LawWords &law) { return law.feb == type; });
+}
+
 SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
                     const FrameCase &frame)
 {
    SolidCase result;
-   solid.Ignore("density", "inertia is left out");
+   solid.Ignore("density", "there is no inertia, and body loads know it");
    const std::string type = solid.Attribute("type");
    if (type == "ellipsoidal fiber distribution")
    {

@@ -60,6 +60,10 @@ real_t MakeSteady(FebModel &model)
    real_t factor = 1.0;
    for (const MaterialCase &material : model.setup.materials)
    {
+      if (!material.HasFluid())
+      {
+         continue;
+      }
       const CartesianFrame frame(material.frame.axis);
       const real_t modulus =
          AggregateModulus(material.solid, frame, material.solid_fraction);
@@ -77,7 +81,10 @@ real_t MakeSteady(FebModel &model)
    factor = std::pow(10.0, std::ceil(std::log10(factor)));
    for (MaterialCase &material : model.setup.materials)
    {
-      Scale(factor, material.permeability);
+      if (material.HasFluid())
+      {
+         Scale(factor, material.permeability);
+      }
    }
    return factor;
 }

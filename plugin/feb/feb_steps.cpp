@@ -53,7 +53,8 @@ private:
 };
 
 std::vector<real_t> AutomaticSteps(const FebInput &stepper, real_t first,
-                                   real_t end, const FebCurves &curves)
+                                   real_t begin, real_t end,
+                                   const FebCurves &curves)
 {
    const real_t shortest = stepper.Number("dtmin", 0.0);
    const std::optional<FebInput> longest_input = stepper.Find("dtmax");
@@ -62,7 +63,7 @@ std::vector<real_t> AutomaticSteps(const FebInput &stepper, real_t first,
    const real_t constant = longest_input ? longest_input->Number() : 0.1;
    const MustPoints must(curve);
    std::vector<real_t> ends;
-   real_t t = 0.0;
+   real_t t = begin;
    real_t length = std::max(first, shortest);
    while (t < end * (1.0 - round_off) && ends.size() < most_steps)
    {
@@ -139,7 +140,8 @@ TimeOptions FebSteps::Options() const
    return options;
 }
 
-FebSteps ReadControl(const FebInput &section, const FebCurves &curves)
+FebSteps ReadControl(const FebInput &section, const FebCurves &curves,
+                     real_t begin)
 {
    FebSteps steps;
    const std::string analysis = ReadAnalysis(section);
@@ -163,14 +165,14 @@ FebSteps ReadControl(const FebInput &section, const FebCurves &curves)
       section.Ignore(name, "Newton's method has its own settings here");
    }
    section.Ignore("adaptor_re_solve", "there is no mesh adaptor");
-   steps.ends = {1.0};
+   steps.ends = {begin + 1.0};
    steps.length = 1.0;
    if (!(count >= 1.0 && count <= 1e12 && first > 0.0))
    {
       section.Stop("time_steps and step_size must be positive");
       return steps;
    }
-   const real_t end = count * first;
+   const real_t end = begin + count * first;
    const std::optional<FebInput> stepper = section.Find("time_stepper");
    if (!stepper)
    {
@@ -183,7 +185,7 @@ FebSteps ReadControl(const FebInput &section, const FebCurves &curves)
       steps.ends.clear();
       for (int i = 1; i <= static_cast<int>(count); i++)
       {
-         steps.ends.push_back(i * first);
+         steps.ends.push_back(begin + i * first);
       }
       return steps;
    }
@@ -194,7 +196,7 @@ FebSteps ReadControl(const FebInput &section, const FebCurves &curves)
    {
       stepper->Ignore(name, "a step that fails is cut in half");
    }
-   steps.ends = AutomaticSteps(*stepper, first, end, curves);
+   steps.ends = AutomaticSteps(*stepper, first, begin, end, curves);
    steps.length = 0.0;
    stepper->Approximate("its steps depend on its iterations; time.stops are "
                         "those that it takes where these are few");

@@ -30,28 +30,35 @@ std::string PlainName(std::string name)
    return name.empty() || name[0] == '.' ? "_" + name : name;
 }
 
-FebSurfaces::FebSurfaces(const FebMesh &mesh_, const std::set<int> &parts)
-   : mesh(mesh_), used(mesh_.nodes.size(), false)
+FebSurfaces::FebSurfaces(const FebMesh &mesh_, const std::set<int> &deformable,
+                         const std::set<int> &rigid)
+   : mesh(mesh_), used(mesh_.nodes.size(), false), deforms(used)
 {
    struct Face
    {
       int count = 0;
       std::vector<int> nodes;
       size_t corners = 0;
+      bool is_rigid = false;
    };
    std::map<std::vector<int>, Face> found;
+   std::set<int> parts(deformable);
+   parts.insert(rigid.begin(), rigid.end());
    for (const int p : parts)
    {
       const FebPart &part = mesh.parts[p];
+      const bool is_rigid_part = rigid.count(p) > 0;
       for (const FebCell &cell : part.cells)
       {
          for (const int node : cell.nodes)
          {
             used[node] = true;
+            deforms[node] = deforms[node] || !is_rigid_part;
          }
          for (const std::vector<int> &list : part.shape->faces)
          {
             Face face;
+            face.is_rigid = is_rigid_part;
             for (const int place : list)
             {
                face.nodes.push_back(cell.nodes[place]);
@@ -75,6 +82,7 @@ FebSurfaces::FebSurfaces(const FebMesh &mesh_, const std::set<int> &parts)
                             face.nodes.begin() +
                                static_cast<int>(face.corners));
          face_nodes.push_back(face.nodes);
+         is_rigid.push_back(face.is_rigid);
       }
    }
 }
@@ -113,25 +121,36 @@ std::string FebSurfaces::OfNodes(const std::string &set, const FebInput &where)
       where.Stop("there is no set of nodes called \"" + set + "\"");
       return "";
    }
-   if (set.rfind(surface_prefix, 0) == 0)
-   {
-      return OfFacets(set.substr(std::string(surface_prefix).size()), where);
-   }
    const auto known = made.find(set);
    if (known != made.end())
    {
       return known->second;
    }
+   if (set.rfind(surface_prefix, 0) == 0)
+   {
+      const std::string name = set.substr(std::string(surface_prefix).size());
+      const std::vector<int> all = Members(name, true, where);
+      const std::vector<int> members = Members(name, false, where);
+      if (members.empty() && !all.empty())
+      {
+         where.IgnoreAll("none of its nodes belongs to a deformable solid");
+      }
+      return members.size() == all.size() ? OfFacets(name, where)
+             : members.empty()            ? ""
+                               : Add(set + " that deforms", name, members);
+   }
+
    std::vector<bool> wanted(mesh.nodes.size(), false);
    for (const int node : *nodes)
    {
-      wanted[node] = used[node];
+      wanted[node] = deforms[node];
    }
    std::vector<bool> left(wanted);
    std::vector<int> members;
    for (size_t i = 0; i < faces.size(); i++)
    {
-      if (std::all_of(face_nodes[i].begin(), face_nodes[i].end(),
+      if (!is_rigid[i] &&
+          std::all_of(face_nodes[i].begin(), face_nodes[i].end(),
                       [&](int node) { return wanted[node]; }))
       {
          members.push_back(static_cast<int>(i));
@@ -160,11 +179,38 @@ std::string FebSurfaces::OfNodes(const std::string &set, const FebInput &where)
    return Add(set, set, members);
 }
 
+std::vector<int> FebSurfaces::Members(const std::string &surface,
+                                      bool with_rigid, const FebInput &where)
+{
+   const std::vector<std::vector<int>> &facets = mesh.surfaces.at(surface);
+   std::vector<int> members;
+   size_t inner = 0;
+   for (const std::vector<int> &facet : facets)
+   {
+      const auto face = by_corners.find(Sorted(facet));
+      if (face == by_corners.end())
+      {
+         inner++;
+      }
+      else if (with_rigid || !is_rigid[face->second])
+      {
+         members.push_back(face->second);
+      }
+   }
+   if (inner > 0 || facets.empty())
+   {
+      where.Stop(std::to_string(inner) + " of the " +
+                 std::to_string(facets.size()) + " facets of \"" + surface +
+                 "\" are no outer faces of deformable solids");
+      return {};
+   }
+   return members;
+}
+
 std::string FebSurfaces::OfFacets(const std::string &surface,
                                   const FebInput &where)
 {
-   const auto found = mesh.surfaces.find(surface);
-   if (found == mesh.surfaces.end())
+   if (mesh.surfaces.count(surface) == 0)
    {
       where.Stop("there is no surface called \"" + surface + "\"");
       return "";
@@ -175,28 +221,8 @@ std::string FebSurfaces::OfFacets(const std::string &surface,
    {
       return known->second;
    }
-   std::vector<int> members;
-   size_t inner = 0;
-   for (const std::vector<int> &facet : found->second)
-   {
-      const auto face = by_corners.find(Sorted(facet));
-      if (face == by_corners.end())
-      {
-         inner++;
-      }
-      else
-      {
-         members.push_back(face->second);
-      }
-   }
-   if (inner > 0 || members.empty())
-   {
-      where.Stop(std::to_string(inner) + " of the " +
-                 std::to_string(found->second.size()) + " facets of \"" +
-                 surface + "\" are no outer faces of deformable solids");
-      return "";
-   }
-   return Add(key, surface, members);
+   const std::vector<int> members = Members(surface, true, where);
+   return members.empty() ? "" : Add(key, surface, members);
 }
 
 std::map<int, real_t> FebSurfaces::NodalAreas(const std::string &name) const

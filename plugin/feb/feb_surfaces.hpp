@@ -25,13 +25,15 @@ public:
       std::vector<int> faces;
    };
 
-   /// Takes those parts into account whose places @a parts has. Borrows
-   /// @a mesh.
-   FebSurfaces(const FebMesh &mesh, const std::set<int> &parts);
+   /// Takes those parts into account whose places @a deformable and @a rigid
+   /// have. Borrows @a mesh.
+   FebSurfaces(const FebMesh &mesh, const std::set<int> &deformable,
+               const std::set<int> &rigid);
 
-   /// The name of the surface whose nodes are those of the set, which
-   /// "@surface:NAME" stands for, too; empty, and @a where stops, if there is
-   /// no such set, or if its nodes aren't those of whole outer faces.
+   /// The name of the surface with the nodes of this set, which may also be
+   /// given as "@surface:NAME"; empty, and @a where stops, if there is no such
+   /// set, or if its nodes don't make up whole outer faces.
+   /// What is rigid has no conditions of its own, and is left out.
    std::string OfNodes(const std::string &set, const FebInput &where);
    /// Likewise for the surface of that name.
    std::string OfFacets(const std::string &surface, const FebInput &where);
@@ -50,6 +52,10 @@ public:
 private:
    std::string Add(const std::string &key, const std::string &name,
                    const std::vector<int> &members);
+   /// Faces of a surface, without rigid ones if these don't count; none, and
+   /// @a where stops, if facets are no outer faces.
+   std::vector<int> Members(const std::string &surface, bool with_rigid,
+                            const FebInput &where);
    std::string Unused(const std::string &name) const;
 
    const FebMesh &mesh;
@@ -58,6 +64,9 @@ private:
    std::vector<std::vector<int>> face_nodes;
    std::map<std::vector<int>, int> by_corners;
    std::vector<bool> used;
+   /// Nodes of deformable parts, and which faces are rigid ones'.
+   std::vector<bool> deforms;
+   std::vector<bool> is_rigid;
    std::vector<Group> groups;
    /// Names of groups by what they were made of.
    std::map<std::string, std::string> made;

@@ -18,7 +18,7 @@ class BiphasicSpaces
 {
 public:
    /// Borrows @a mesh. @a order must be at least 1; @a stabilization, from 0 to
-   /// 1, is a factor on that of order 1.
+   /// 1, scales the stabilization of order 1.
    BiphasicSpaces(mfem::ParMesh &mesh, int order,
                   mfem::real_t stabilization = 1.0);
 

@@ -62,8 +62,8 @@ public:
    /// The same by reference coordinates, which all elements of a shape share.
    const mfem::DenseMatrix &Slopes() const { return tables->slopes; }
    const mfem::DenseMatrix &PressureSlopes() const { return tables->p_slopes; }
-   /// What a vector by undeformed coordinates at a point is by reference
-   /// coordinates: its product with a gradient is that of the result with the
+   /// A vector in undeformed coordinates, at a point, in reference coordinates:
+   /// its product with a gradient equals the product of the result with the
    /// slope.
    Vector3<> ToReference(int point, const Vector3<> &vector) const;
 

@@ -98,6 +98,14 @@ void BoundaryConditions::PrescribePressure(const Array<int> &boundary,
                        Marker(boundary), nullptr, &value});
 }
 
+void BoundaryConditions::HoldDryPressures(const Array<int> &dofs)
+{
+   dry_dofs = dofs;
+   p_dofs.Append(dofs);
+   p_dofs.Sort();
+   p_dofs.Unique();
+}
+
 void BoundaryConditions::AddTraction(const Array<int> &boundary,
                                      const Vector &direction,
                                      const LoadCurve &value)
@@ -176,6 +184,43 @@ void BoundaryConditions::AddRigidBody(const RigidBody &body)
    {
       AddCorners(options.IsFree(i) ? options.load[i] : *options.prescribed[i]);
    }
+}
+
+std::vector<std::string> BoundaryConditions::RigidBodyNames() const
+{
+   std::vector<std::string> names;
+   for (const RigidBody &body : rigid_bodies)
+   {
+      names.push_back(body.name);
+   }
+   return names;
+}
+
+void BoundaryConditions::AddJoint(const Joint &joint)
+{
+   const std::string problem = Contradiction(joint, RigidBodyNames());
+   if (!problem.empty())
+   {
+      throw Error("the joint \"" + joint.name + "\": " + problem);
+   }
+   joints.push_back(joint);
+   for (const std::optional<LoadCurve> &curve : joint.prescribed)
+   {
+      if (curve)
+      {
+         AddCorners(*curve);
+      }
+   }
+}
+
+void BoundaryConditions::AddLigament(const Ligament &ligament)
+{
+   const std::string problem = Contradiction(ligament, RigidBodyNames());
+   if (!problem.empty())
+   {
+      throw Error("the ligament \"" + ligament.name + "\": " + problem);
+   }
+   ligaments.push_back(ligament);
 }
 
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
@@ -262,6 +307,14 @@ void BoundaryConditions::AddFluidSource(Coefficient &value)
    load.scalars.push_back(&value);
 }
 
+void BoundaryConditions::AddLoads(const Vector &forces, const Vector &inflow,
+                                  const LoadCurve &curve)
+{
+   momentum_loads.push_back({forces, curve});
+   mass_loads.push_back({inflow, curve});
+   AddCorners(curve);
+}
+
 void BoundaryConditions::SetOrigins(real_t t, const Vector &u)
 {
    for (Increment &increment : increments)
@@ -345,6 +398,7 @@ void BoundaryConditions::SetPressure(real_t t, Vector &p)
          p[dof] = true_dofs[dof];
       }
    }
+   p.SetSubVector(dry_dofs, 0.0);
 }
 
 void BoundaryConditions::FieldLoad::AddTo(real_t t, Vector &load)

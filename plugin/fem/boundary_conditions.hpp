@@ -2,6 +2,8 @@
 
 #include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/fem/follower_loads.hpp"
+#include "synovia/fem/joint.hpp"
+#include "synovia/fem/ligament.hpp"
 #include "synovia/fem/rigid_body.hpp"
 #include "synovia/fem/rigid_surfaces.hpp"
 #include "synovia/fem/spring_foundation.hpp"
@@ -49,6 +51,10 @@ public:
    void PrescribePressure(const mfem::Array<int> &boundary,
                           mfem::Coefficient &value);
 
+   /// Keeps these pressures (true dofs, ascending) at zero, whatever else is
+   /// prescribed there: those that no fluid has.
+   void HoldDryPressures(const mfem::Array<int> &dofs);
+
    /// Total traction sigma_T n = direction x value (stress).
    void AddTraction(const mfem::Array<int> &boundary,
                     const mfem::Vector &direction, const LoadCurve &value);
@@ -80,6 +86,12 @@ public:
    /// load or a spring on a prescribed freedom.
    void AddRigidBody(const RigidBody &body);
 
+   /// Joins rigid bodies, which must have been added before. Throws Error for a
+   /// ligament that has a Contradiction().
+   void AddLigament(const Ligament &ligament);
+   /// Likewise.
+   void AddJoint(const Joint &joint);
+
    /// Outward relative flux -kappa grad p . n (length / time). A curve follows
    /// finite deformation; a coefficient is per undeformed area.
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
@@ -94,6 +106,12 @@ public:
    /// Body force (force / volume) and fluid source (1 / time).
    void AddBodyForce(mfem::VectorCoefficient &value);
    void AddFluidSource(mfem::Coefficient &value);
+
+   /// Forces and flows to nodes (volume / time), true dofs, for a curve of 1.
+   void AddLoads(const mfem::Vector &forces, const mfem::Vector &inflow,
+                 const LoadCurve &curve);
+   /// For loads that are not conditions here: steps end on its corners.
+   void AddCorners(const LoadCurve &curve);
 
    /// Prescribed true dofs, ascending.
    const mfem::Array<int> &DisplacementDofs() const { return u_dofs; }
@@ -113,7 +131,7 @@ public:
    /// @a mass in volume / time (sources less prescribed outflow).
    void GetLoads(mfem::real_t t, mfem::Vector &momentum, mfem::Vector &mass);
 
-   /// Not among those of GetLoads(), as they depend on the displacement.
+   /// No part of GetLoads(), as they depend on the displacement.
    const FollowerLoads &Followers() const { return followers; }
 
    const std::vector<SpringFoundation> &Springs() const { return springs; }
@@ -121,6 +139,8 @@ public:
    const std::vector<DrivenSurface> &DrivenSurfaces() const { return driven; }
 
    const std::vector<RigidBody> &RigidBodies() const { return rigid_bodies; }
+   const std::vector<Ligament> &Ligaments() const { return ligaments; }
+   const std::vector<Joint> &Joints() const { return joints; }
    Deformation GetDeformation() const { return deformation; }
 
    /// Where load curves have corners, ascending, each once.
@@ -132,7 +152,7 @@ private:
       mfem::Array<int> dofs;
       LoadCurve curve;
    };
-   /// Of displacements, which count from those of its dofs at a time.
+   /// Displacements relative to those of its dofs at the time since.
    struct Increment
    {
       mfem::Array<int> dofs;
@@ -164,8 +184,8 @@ private:
       void AddTo(mfem::real_t t, mfem::Vector &load);
    };
 
+   std::vector<std::string> RigidBodyNames() const;
    mfem::Array<int> Marker(const mfem::Array<int> &boundary) const;
-   void AddCorners(const LoadCurve &curve);
    mfem::Array<int> Dofs(mfem::ParFiniteElementSpace &space,
                          const mfem::Array<int> &boundary, int component,
                          mfem::Array<int> &all) const;
@@ -177,6 +197,7 @@ private:
    FollowerLoads followers;
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
+   mfem::Array<int> dry_dofs;
    std::vector<CurveValue> u_values;
    std::vector<Increment> increments;
    std::vector<CurveValue> p_values;
@@ -187,6 +208,8 @@ private:
    std::vector<SpringFoundation> springs;
    std::vector<DrivenSurface> driven;
    std::vector<RigidBody> rigid_bodies;
+   std::vector<Ligament> ligaments;
+   std::vector<Joint> joints;
    FieldLoad momentum_form;
    FieldLoad mass_form;
    std::vector<mfem::real_t> corners;

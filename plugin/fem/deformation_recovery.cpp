@@ -11,6 +11,8 @@ using namespace mfem;
 namespace
 {
 constexpr int components = 6;
+// The solid fraction where there is no fluid.
+constexpr real_t no_pores = 1.0;
 constexpr int voigt[components][2] = {{0, 0}, {1, 1}, {2, 2},
                                       {0, 1}, {1, 2}, {0, 2}};
 
@@ -57,8 +59,9 @@ Vector DeformationRecovery::SolidFractions(const MaterialTable &materials)
    for (int e = 0; e < space.GetNE(); e++)
    {
       at_nodes.SetSize(space.GetFE(e)->GetDof(), components);
-      at_nodes =
-         materials.Get(space.GetParMesh()->GetAttribute(e)).solid_fraction;
+      const Material &material =
+         materials.Get(space.GetParMesh()->GetAttribute(e));
+      at_nodes = material.HasFluid() ? material.solid_fraction : no_pores;
       recovery.Add(e, at_nodes, strain);
    }
    recovery.Average(strain);
@@ -116,7 +119,9 @@ void DeformationRecovery::Update(const ParGridFunction &u)
          principal(vectors.DofToVDof(i, c)) = values[2 - c];
       }
       volume_ratio(i) = std::exp(tensor.Trace());
-      porosity(i) = 1.0 - solid_fractions(i) / volume_ratio(i);
+      porosity(i) = solid_fractions(i) < no_pores
+                       ? 1.0 - solid_fractions(i) / volume_ratio(i)
+                       : 0.0;
    }
 }
 

@@ -51,7 +51,7 @@ private:
    const mfem::Table &element_dofs;
    std::map<mfem::Geometry::Type, Shapes> shapes;
    /// Nine for each point, ordered as the gradients are, element by element,
-   /// and where those of an element begin.
+   /// and where an element's begin.
    std::vector<mfem::real_t> inverse_jacobians;
    std::vector<size_t> begins;
 

@@ -27,6 +27,10 @@ void EffectiveStressIntegrator::AssembleElementMatrix(
    elmat.SetSize(3 * dofs);
    elmat = 0.0;
    const Material &material = materials.Get(trans.Attribute);
+   if (material.IsRigid())
+   {
+      return;
+   }
    const SolidLaw &law = *material.solid;
    const IntegrationRule &rule = IntRule ? *IntRule : Rule(el, trans);
    const DofToQuad &maps = el.GetDofToQuad(rule, DofToQuad::FULL);

@@ -54,6 +54,7 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
    {
       return false;
    }
+   const bool wet = material.HasFluid();
    const DenseMatrix &gradients = element.Gradients();
    const DenseMatrix &p_gradients = element.PressureGradients();
    const int nodes = gradients.Height();
@@ -73,7 +74,10 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
       {
          return false;
       }
-      tangent -= element.Pressure(q) * CofactorDerivative(F);
+      if (wet)
+      {
+         tangent -= element.Pressure(q) * CofactorDerivative(F);
+      }
       tangent = weight * tangent;
       for (int c = 0; c < 3; c++)
       {
@@ -83,6 +87,10 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
                               stress_changes.GetColumn(3 * q + c) +
                                  3 * nodes * a);
          }
+      }
+      if (!wet)
+      {
+         continue;
       }
       ContractGradients(weight * Cofactor(F), gradients, q,
                         volume_changes.GetColumn(q));
@@ -118,10 +126,17 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
       mean_dilatation.AddCoupling(element, stiffness);
    }
    growth.SetSize(p_dofs, 3 * nodes);
-   MultABt(element.PressureShapes(), volume_changes, growth);
    flow_change.SetSize(p_dofs, 3 * nodes);
-   MultABt(p_gradients, flow_changes, flow_change);
    darcy.SetSize(p_dofs);
+   if (!wet)
+   {
+      growth = 0.0;
+      flow_change = 0.0;
+      darcy = 0.0;
+      return true;
+   }
+   MultABt(element.PressureShapes(), volume_changes, growth);
+   MultABt(p_gradients, flow_changes, flow_change);
    MultABt(p_gradients, flows, darcy);
    return true;
 }

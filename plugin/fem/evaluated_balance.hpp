@@ -13,7 +13,7 @@ class EvaluatedBalance
 public:
    explicit EvaluatedBalance(MPI_Comm comm_) : comm(comm_) {}
 
-   /// Whether it is that of @a stage, on all ranks. Collective.
+   /// Whether it was evaluated at @a stage, on all ranks. Collective.
    bool IsAt(const BodyStage &stage) const;
    /// Takes the stage; the vectors below are the caller's to set.
    void Set(const BodyStage &stage);

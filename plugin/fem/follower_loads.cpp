@@ -34,7 +34,7 @@ Traction Uniform(real_t traction)
    return [traction](const LoadedFace &) { return traction; };
 }
 
-// At the point of a face: that of the solid, less the fluid's pressure.
+// At the point of a face: the solid's traction, less the fluid's pressure.
 Traction Effective(real_t traction, const Vector &p)
 {
    return [traction, &p](const LoadedFace &face)

@@ -58,8 +58,8 @@ public:
    void AddLoads(const State &state, mfem::Vector &forces,
                  mfem::Vector &inflow) const;
 
-   /// Subtracts their derivatives by the displacement: that of the forces from
-   /// @a stiffness, and dt x that of the inflow from @a flow_change,
+   /// Subtracts their derivatives by the displacement: the forces' from
+   /// @a stiffness, and dt x the inflow's from @a flow_change,
    /// pressure x displacement. Adds the transpose of the derivative of the
    /// forces by the pressure to @a coupling, pressure x displacement.
    void AddDerivatives(const State &state, LocalMatrix &stiffness,

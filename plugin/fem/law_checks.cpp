@@ -127,8 +127,12 @@ public:
    {
       mesh.Get().GetElementTransformation(element, &map);
       const Material &material = materials.Get(map.Attribute);
+      if (material.IsRigid())
+      {
+         return "";
+      }
       std::string failure = material.solid->Validate(map);
-      if (failure.empty())
+      if (failure.empty() && material.HasFluid())
       {
          failure = material.permeability->Validate(map);
       }
@@ -136,7 +140,7 @@ public:
       {
          failure = StiffnessObjection(*material.solid, element);
       }
-      return failure.empty()
+      return failure.empty() && material.HasFluid()
                 ? PermeabilityObjection(*material.permeability, element)
                 : failure;
    }
@@ -213,6 +217,10 @@ void VerifyScales(const NamedMesh &mesh, const MaterialTable &materials)
    for (const int attribute : mesh.Get().attributes)
    {
       const Material &material = materials.Get(attribute);
+      if (material.IsRigid())
+      {
+         continue;
+      }
       const auto verify = [&](const char *what, real_t value)
       {
          if (!Usable(value))
@@ -224,8 +232,11 @@ void VerifyScales(const NamedMesh &mesh, const MaterialTable &materials)
       };
       verify("the aggregate modulus", material.solid->AggregateModulus());
       verify("the shear modulus", material.solid->ShearModulus());
-      verify("the typical permeability",
-             material.permeability->ReferenceValue());
+      if (material.HasFluid())
+      {
+         verify("the typical permeability",
+                material.permeability->ReferenceValue());
+      }
    }
 }
 } // namespace

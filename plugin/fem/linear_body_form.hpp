@@ -19,8 +19,8 @@ namespace synovia
 class LinearBodyForm : public BodyForm
 {
 public:
-   /// Assembles all matrices. Borrows @a spaces; the springs' stiffness counts
-   /// as that of the bodies.
+   /// Assembles all matrices, with the springs' stiffness added to the bodies'.
+   /// Borrows @a spaces.
    LinearBodyForm(BiphasicSpaces &spaces, const MaterialTable &materials,
                   const std::vector<SpringFoundation> &springs);
 

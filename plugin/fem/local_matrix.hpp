@@ -67,7 +67,7 @@ private:
    /// For each row dof its own place among its neighbors.
    std::vector<int> own_places;
    /// For each element, row dof by row dof, where its column dofs are among the
-   /// neighbors; and where those of each element begin.
+   /// neighbors; and where each element's begin.
    std::vector<std::uint16_t> places;
    std::vector<std::size_t> place_begins;
    std::vector<mfem::real_t> entries;

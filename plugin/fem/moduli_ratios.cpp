@@ -14,7 +14,12 @@ ModuliRatios FindModuliRatios(ParMesh &mesh, const MaterialTable &materials)
    DenseMatrix stiffness;
    for (int i = 0; i < mesh.GetNE(); i++)
    {
-      const SolidLaw &solid = *materials.Get(mesh.GetAttribute(i)).solid;
+      const Material &material = materials.Get(mesh.GetAttribute(i));
+      if (material.IsRigid())
+      {
+         continue;
+      }
+      const SolidLaw &solid = *material.solid;
       ElementTransformation &trans = *mesh.GetElementTransformation(i);
       const IntegrationPoint &center =
          Geometries.GetCenter(trans.GetGeometryType());

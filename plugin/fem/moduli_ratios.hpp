@@ -12,9 +12,9 @@ struct ModuliRatios
    /// Aggregate modulus over shear modulus: how nearly incompressible the
    /// drained solid is.
    mfem::real_t incompressibility = 0.0;
-   /// The largest stiffness along an axis of space over the aggregate modulus,
-   /// that of the softest direction: 1 for isotropic solids, and at least a
-   /// quarter of the fibers' stiffness over that of the matrix between them.
+   /// The largest stiffness along an axis of space over the aggregate modulus
+   /// in the softest direction: 1 for isotropic solids, and at least a quarter
+   /// of the ratio of the fibers' stiffness to the matrix' between them.
    mfem::real_t anisotropy = 0.0;
 };
 

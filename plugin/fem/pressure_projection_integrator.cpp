@@ -43,7 +43,12 @@ void PressureProjectionIntegrator::AssembleElementMatrix(
    integral = 0.0;
    elmat.SetSize(dofs);
    elmat = 0.0;
-   const SolidLaw &law = *materials.Get(trans.Attribute).solid;
+   const Material &material = materials.Get(trans.Attribute);
+   if (!material.HasFluid())
+   {
+      return;
+   }
+   const SolidLaw &law = *material.solid;
    const real_t scale =
       factor * std::max(0.5 / law.ShearModulus(),
                         LeastFactor(el.GetGeomType()) / law.AggregateModulus());

@@ -55,13 +55,17 @@ struct RigidBodyOptions
 std::string Contradiction(const RigidBodyOptions &options,
                           Deformation deformation);
 
-/// A rigid body that surfaces of deformable ones are tied to.
+/// A rigid body: surfaces of deformable ones that are tied to it, and regions
+/// that are part of it.
 struct RigidBody
 {
    /// In messages and output.
    std::string name;
+   /// Those tied to it, and those of its regions alone.
    mfem::Array<int> boundary;
    RigidBodyOptions options;
+   /// All of whose nodes are tied to it.
+   mfem::Array<int> regions{};
 };
 
 } // namespace synovia

@@ -35,6 +35,13 @@ Point3 RigidFrame::Displacement(const Point3 &arm) const
    return Sum(translation, 1.0, turned);
 }
 
+Point3 RigidFrame::Motion(int freedom, const Point3 &arm) const
+{
+   Point3 amount{{0.0, 0.0, 0.0}};
+   amount[freedom % 3] = 1.0;
+   return freedom < 3 ? amount : Cross(Times(spin, amount), Turned(arm));
+}
+
 Point3 RigidFrame::Turned(const Point3 &vector) const
 {
    return Times(turn, vector);

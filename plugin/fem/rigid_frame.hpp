@@ -17,6 +17,10 @@ public:
    Point3 Displacement(const Point3 &arm) const;
    /// A vector that turns with the body, such as an arm.
    Point3 Turned(const Point3 &vector) const;
+   /// How it displaces that point, to first order, by an amount of 1 (length,
+   /// rad) of one of its freedoms: translations, then components of the
+   /// rotation vector.
+   Point3 Motion(int freedom, const Point3 &arm) const;
    /// D in spin = D d(rotation vector).
    const mfem::DenseMatrix &Spin() const { return spin; }
 

@@ -46,7 +46,7 @@ public:
    /// rows in Reduce()'s matrices, ascending.
    const mfem::Array<int> &Idle() const { return idle; }
 
-   /// The matrices for reduced displacements; those of pressures are shared.
+   /// The matrices for reduced displacements; pressure blocks are shared.
    VolumeMatrices Reduce(const VolumeMatrices &matrices) const;
    /// A matrix for displacements, rows x dofs, becomes one for reduced ones.
    std::unique_ptr<mfem::HypreParMatrix>

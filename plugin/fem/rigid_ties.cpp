@@ -3,6 +3,7 @@
 #include "synovia/general/error.hpp"
 #include "synovia/general/reduce.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -30,7 +31,8 @@ bool Determines(const RigidBodyOptions &body, int axis)
 
 RigidTies::RigidTies(BiphasicSpaces &spaces,
                      const std::vector<RigidBody> &bodies_,
-                     const Array<int> &prescribed, Deformation deformation_)
+                     const Array<int> &prescribed, Deformation deformation_,
+                     const std::vector<Joint> &joints_)
    : deformation(deformation_), comm(spaces.GetComm()), bodies(bodies_)
 {
    std::vector<bool> tied(spaces.Displacement().GetTrueVSize(), false);
@@ -65,37 +67,98 @@ RigidTies::RigidTies(BiphasicSpaces &spaces,
       }
       AddSlots(b);
    }
+   for (const Joint &joint : joints_)
+   {
+      AddDrives(joint);
+   }
    dofs.Sort();
    origins = Rest();
 }
 
-void RigidTies::AddSlots(int body)
+int RigidTies::TakePlace(int body)
 {
    // The nodes of all ranks in a row, of which the first have the slots.
-   int here = 3 * static_cast<int>(nodes[body].Get().size());
+   const int here = 3 * static_cast<int>(nodes[body].Get().size());
    int before = 0;
    MPI_Exscan(&here, &before, 1, MPI_INT, MPI_SUM, comm);
    int rank = 0;
    MPI_Comm_rank(comm, &rank);
    before = rank == 0 ? 0 : before;
-   int place = 0;
+   const int mine = taken[body] - before;
+   taken[body]++;
+   return mine >= 0 && mine < here ? nodes[body].Get()[mine / 3].dof + mine % 3
+                                   : -1;
+}
+
+void RigidTies::AddSlots(int body)
+{
+   taken.push_back(0);
    for (int freedom = 0; freedom < 6; freedom++)
    {
       if (bodies[body].options.IsFree(freedom))
       {
-         const int mine = place - before;
-         const bool has = mine >= 0 && mine < here;
-         slots.push_back({body, freedom,
-                          has ? nodes[body].Get()[mine / 3].dof + mine % 3 : -1,
+         slots.push_back({body, freedom, TakePlace(body),
                           freedom < 3 ? 1.0 : 1.0 / nodes[body].Radius()});
-         place++;
       }
    }
 }
 
+void RigidTies::AddDrives(const Joint &joint)
+{
+   const int number = joints;
+   joints++;
+   radii.push_back(0.0);
+   for (int coordinate = 0; coordinate < 6; coordinate++)
+   {
+      if (!joint.prescribed[coordinate])
+      {
+         continue;
+      }
+      int dof = -1;
+      for (const std::string &name : {joint.distal.body, joint.proximal.body})
+      {
+         const int body = Find(name);
+         if (body >= 0 && !AnyRank(dof >= 0, comm))
+         {
+            dof = TakePlace(body);
+            radii[number] = nodes[body].Radius();
+         }
+      }
+      if (!AnyRank(dof >= 0, comm))
+      {
+         throw Error("the joint \"" + joint.name +
+                     "\" prescribes more coordinates than there is place for "
+                     "at the nodes that are tied to its bodies; tie more faces "
+                     "to them, or prescribe freedoms of a body");
+      }
+      slots.push_back({DriveOf(number), coordinate, dof, 1.0});
+   }
+}
+
+void RigidTies::ScaleDrives(real_t stiffness)
+{
+   for (Slot &slot : slots)
+   {
+      if (!IsFreedom(slot))
+      {
+         slot.scale = slot.freedom < 3 ? stiffness * radii[slot.body - Bodies()]
+                                       : stiffness;
+      }
+   }
+}
+
+int RigidTies::Find(const std::string &name) const
+{
+   const auto found =
+      std::find_if(bodies.begin(), bodies.end(),
+                   [&](const RigidBody &body) { return body.name == name; });
+   return found == bodies.end() ? -1 : static_cast<int>(found - bodies.begin());
+}
+
 RigidPoses RigidTies::Rest() const
 {
-   return RigidPoses(bodies.size(), RigidPose{{0.0, 0.0, 0.0, 0.0, 0.0, 0.0}});
+   return RigidPoses(bodies.size() + joints,
+                     RigidPose{{0.0, 0.0, 0.0, 0.0, 0.0, 0.0}});
 }
 
 void RigidTies::SetOrigins(real_t t, const RigidPoses &poses)
@@ -206,7 +269,7 @@ real_t RigidTies::Approach(int body, const Vector &u, RigidPose &pose) const
 RigidPoses RigidTies::Fit(const Vector &u, const RigidPoses &guess) const
 {
    constexpr int most_steps = 50;
-   // Of the radius; displacements that aren't those of a pose are a guess only.
+   // Relative to the radius; displacements that no pose gives are a guess only.
    constexpr real_t close = 1e-12;
    RigidPoses poses(guess);
    u.HostRead();

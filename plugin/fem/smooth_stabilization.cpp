@@ -16,11 +16,15 @@ SmoothStabilization::SmoothStabilization(BiphasicSpaces &spaces,
    MFEM_VERIFY(space.GetMaxElementOrder() == 1,
                "a smooth part is defined for order 1");
    PressureProjectionIntegrator integrator(materials, spaces.Stabilization());
-   elements.resize(space.GetNE());
    Vector x(3);
    for (int e = 0; e < space.GetNE(); e++)
    {
-      Element &element = elements[e];
+      if (!materials.Get(space.GetParMesh()->GetAttribute(e)).HasFluid())
+      {
+         continue;
+      }
+      elements.emplace_back();
+      Element &element = elements.back();
       space.GetElementDofs(e, element.dofs);
       const FiniteElement &fe = *space.GetFE(e);
       ElementTransformation &trans = *space.GetElementTransformation(e);
@@ -60,6 +64,7 @@ Vector SmoothStabilization::LeastAround(const std::vector<Point3> &gradients,
    comm.Bcast<real_t>(highest.GetData());
    for (int i = 0; i < lowest.Size(); i++)
    {
+      // No element of the vertices where there is no fluid is asked for.
       lowest[i] = lowest[i] > 0.0 ? lowest[i] : std::min(highest[i], 0.0);
    }
    return lowest;

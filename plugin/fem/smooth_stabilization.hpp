@@ -20,7 +20,7 @@ namespace synovia
 ///
 /// Orthogonal subscales (Codina & Blasco, CMAME 143:373-391, 1997) tell them
 /// apart by a projection instead, which widens the matrix's stencil and lets
-/// boundary layers oscillate. Here the smooth part is that of a guess, and its
+/// boundary layers oscillate. Here the smooth part is taken of a guess, and its
 /// effect goes to the right side.
 class SmoothStabilization
 {
@@ -49,6 +49,7 @@ private:
                             int component) const;
 
    mfem::ParFiniteElementSpace &space;
+   /// Those with fluid.
    std::vector<Element> elements;
 };
 

@@ -144,8 +144,8 @@ real_t Bound(const Components &g, int q, Deformation deformation)
 
 StrainMonitor::StrainMonitor(NamedMesh &mesh_,
                              const ParGridFunction &displacement,
-                             Deformation deformation_)
-   : mesh(mesh_), deformation(deformation_),
+                             Deformation deformation_, const Array<int> &rigid_)
+   : mesh(mesh_), deformation(deformation_), rigid(rigid_),
      gradients(mesh_.Get(), displacement), severities(mesh_.Get().GetNE())
 {
 }
@@ -160,6 +160,10 @@ void StrainMonitor::MeasureElements()
       const Components components(gradients);
       Severity &severity = severities[e];
       severity.fill(nothing);
+      if (rigid.Find(mesh.Get().GetAttribute(static_cast<int>(e))) >= 0)
+      {
+         continue;
+      }
       for (int q = 0; q < gradients.Points(); q++)
       {
          severity[volume_loss] =

@@ -36,8 +36,8 @@ struct StrainExtremes
 ///
 /// A convex function, as the magnitude of the principal strain is, of a strain
 /// that is linear along each edge has its maximum at a corner: for order 1 on
-/// parallelepipeds, and up to order 2 on straight tetrahedra, the maximum is
-/// that of all points.
+/// parallelepipeds, and up to order 2 on straight tetrahedra, the maximum over
+/// the corners is the maximum over all points.
 ///
 /// Values that differ by a millionth count as equal: the place is given in the
 /// first of their elements in the mesh before distribution, so that it is the
@@ -45,9 +45,12 @@ struct StrainExtremes
 class StrainMonitor
 {
 public:
-   /// Borrows both. @a displacement has three components.
+   /// Borrows both. @a displacement has three components. Regions that are
+   /// @a rigid, by their attributes, are left out: where they turn, elements of
+   /// order 1 bend.
    StrainMonitor(NamedMesh &mesh, const mfem::ParGridFunction &displacement,
-                 Deformation deformation = Deformation::infinitesimal);
+                 Deformation deformation = Deformation::infinitesimal,
+                 const mfem::Array<int> &rigid = mfem::Array<int>());
 
    /// Of the displacement as it is now. Collective.
    StrainExtremes Measure();
@@ -72,6 +75,7 @@ private:
 
    const NamedMesh &mesh;
    Deformation deformation;
+   mfem::Array<int> rigid;
    DisplacementGradient gradients;
    /// Of each element of this rank.
    std::vector<Severity> severities;

@@ -86,7 +86,12 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
    {
       const IntegrationRule &rule = recovery.Points(e);
       mesh.GetElementTransformation(e, &trans);
-      const SolidLaw &law = *materials.Get(trans.Attribute).solid;
+      const Material &material = materials.Get(trans.Attribute);
+      if (material.IsRigid())
+      {
+         continue;
+      }
+      const SolidLaw &law = *material.solid;
       at_points.SetSize(rule.GetNPoints(), components);
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
@@ -99,7 +104,7 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
       recovery.ToNodes(e, at_points, at_nodes);
       recovery.Add(e, at_nodes, effective);
       const IntegrationRule &nodes = tensors.GetFE(e)->GetNodes();
-      for (int i = 0; i < nodes.GetNPoints(); i++)
+      for (int i = 0; material.HasFluid() && i < nodes.GetNPoints(); i++)
       {
          const real_t pressure = p.GetValue(e, nodes.IntPoint(i));
          for (int c = 0; c < 3; c++)

@@ -26,7 +26,7 @@ public:
    mfem::ParGridFunction &Effective() { return effective; }
    /// sigma_T = sigma_E - p I.
    mfem::ParGridFunction &Total() { return total; }
-   /// Principal total stresses, largest first; those of the effective stress
+   /// Principal total stresses, largest first; the principal effective stresses
    /// are larger by p.
    mfem::ParGridFunction &Principal() { return principal; }
 

@@ -1,12 +1,13 @@
 #include "synovia/fem/tie_tangent.hpp"
-#include "synovia/fem/rotation_vector.hpp"
 
 namespace synovia
 {
 
 using namespace mfem;
 
-TieTangent::TieTangent(const RigidTies &ties_) : ties(ties_)
+TieTangent::TieTangent(const RigidTies &ties_, const Ligaments &ligaments_,
+                       const Joints &joints_)
+   : ties(ties_), ligaments(ligaments_), joints(joints_)
 {
    const RigidPoses rest = ties.Rest();
    for (int b = 0; b < ties.Bodies(); b++)
@@ -25,19 +26,17 @@ void TieTangent::Linearize(const RigidPoses &poses, real_t t,
    {
       frames.push_back(ties.Frame(b, poses));
    }
-   stiffness = FreedomStiffness(ties, poses, t, SumForces(ties, poses, forces));
+   std::vector<TiedForces> sums = SumForces(ties, poses, forces);
+   ligaments.AddForces(poses, sums);
+   stiffness = FreedomStiffness(ties, poses, t, sums);
+   ligaments.AddStiffness(poses, stiffness);
+   joints.AddStiffness(poses, stiffness);
 }
 
 Point3 TieTangent::Motion(const RigidTies::Slot &slot, const Point3 &arm) const
 {
-   Point3 amount{{0.0, 0.0, 0.0}};
-   amount[slot.freedom % 3] = slot.scale;
-   if (slot.freedom < 3)
-   {
-      return amount;
-   }
-   const RigidFrame &frame = frames[slot.body];
-   return Cross(Times(frame.Spin(), amount), frame.Turned(arm));
+   return Sum({{0.0, 0.0, 0.0}}, slot.scale,
+              frames[slot.body].Motion(slot.freedom, arm));
 }
 
 void TieTangent::Move(const Vector &amounts, Vector &u) const
@@ -47,6 +46,10 @@ void TieTangent::Move(const Vector &amounts, Vector &u) const
    for (int k = 0; k < amounts.Size(); k++)
    {
       const RigidTies::Slot &slot = ties.Slots()[k];
+      if (!ties.IsFreedom(slot))
+      {
+         continue;
+      }
       for (const TiedNodes::Node &node : ties.Nodes(slot.body).Get())
       {
          const Point3 motion = Motion(slot, node.arm);
@@ -66,6 +69,10 @@ Vector TieTangent::Collect(const Vector &f) const
    for (int k = 0; k < sums.Size(); k++)
    {
       const RigidTies::Slot &slot = ties.Slots()[k];
+      if (!ties.IsFreedom(slot))
+      {
+         continue;
+      }
       for (const TiedNodes::Node &node : ties.Nodes(slot.body).Get())
       {
          const Point3 motion = Motion(slot, node.arm);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "synovia/fem/tied_forces.hpp"
+#include "synovia/fem/joints.hpp"
+#include "synovia/fem/ligaments.hpp"
 
 namespace synovia
 {
@@ -11,8 +12,9 @@ namespace synovia
 class TieTangent
 {
 public:
-   /// Borrows @a ties, all as meshed.
-   explicit TieTangent(const RigidTies &ties);
+   /// Borrows all arguments, with all as meshed.
+   TieTangent(const RigidTies &ties, const Ligaments &ligaments,
+              const Joints &joints);
 
    const RigidTies &Ties() const { return ties; }
 
@@ -32,6 +34,8 @@ private:
    Point3 Motion(const RigidTies::Slot &slot, const Point3 &arm) const;
 
    const RigidTies &ties;
+   const Ligaments &ligaments;
+   const Joints &joints;
    std::vector<RigidFrame> frames;
    mfem::DenseMatrix stiffness;
 };

@@ -84,6 +84,16 @@ DenseMatrix StiffnessOf(const RigidBodyOptions &options,
 }
 } // namespace
 
+void TiedForces::Add(const Point3 &arm, const Point3 &added, bool finite)
+{
+   force = Sum(force, 1.0, added);
+   moment = Sum(moment, 1.0, Cross(arm, added));
+   if (finite)
+   {
+      AddTurning(arm, added, turning);
+   }
+}
+
 std::vector<TiedForces> SumForces(const RigidTies &ties,
                                   const RigidPoses &poses, const Vector &forces)
 {
@@ -134,6 +144,11 @@ Vector FreedomForces(const RigidTies &ties, const RigidPoses &poses, real_t t,
    for (int k = 0; k < forces.Size(); k++)
    {
       const RigidTies::Slot &slot = ties.Slots()[k];
+      if (!ties.IsFreedom(slot))
+      {
+         forces[k] = 0.0;
+         continue;
+      }
       const RigidBodyOptions &options = ties.Options(slot.body);
       const RigidFrame frame = ties.Frame(slot.body, poses);
       const RigidLoad load(options, frame, t);

@@ -14,6 +14,9 @@ struct TiedForces
    /// Derivative of the moment with respect to a spin that takes the nodes
    /// along, the forces being as they are; zero in infinitesimal deformation.
    mfem::DenseMatrix turning;
+
+   /// Adds a force where the body has an @a arm from its reference point.
+   void Add(const Point3 &arm, const Point3 &added, bool finite);
 };
 
 /// Of each body. @a forces are of true dofs. Collective.
@@ -22,7 +25,7 @@ std::vector<TiedForces> SumForces(const RigidTies &ties,
                                   const mfem::Vector &forces);
 
 /// What is missing for balance in each slot at time @a t: these forces, loads
-/// and springs.
+/// and springs; zero in the slots of joints.
 mfem::Vector FreedomForces(const RigidTies &ties, const RigidPoses &poses,
                            mfem::real_t t, const std::vector<TiedForces> &sums);
 

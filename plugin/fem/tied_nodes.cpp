@@ -14,12 +14,46 @@ namespace synovia
 
 using namespace mfem;
 
+namespace
+{
+// True dofs of the x component, ascending.
+Array<int> FindDofs(BiphasicSpaces &spaces, const RigidBody &body)
+{
+   ParFiniteElementSpace &space = spaces.Displacement();
+   const Array<int> marker = BoundaryMarker(spaces.GetMesh(), body.boundary);
+   Array<int> tied;
+   space.GetEssentialVDofs(marker, tied, 0);
+   Array<int> dofs;
+   for (int e = 0; e < space.GetNE(); e++)
+   {
+      if (body.regions.Find(spaces.GetMesh().GetAttribute(e)) >= 0)
+      {
+         space.GetElementDofs(e, dofs);
+         for (const int dof : dofs)
+         {
+            tied[space.DofToVDof(dof, 0)] = -1;
+         }
+      }
+   }
+   space.Synchronize(tied);
+   Array<int> true_dofs;
+   for (int dof = 0; dof < tied.Size(); dof++)
+   {
+      const int true_dof = space.GetLocalTDofNumber(dof);
+      if (tied[dof] && true_dof >= 0)
+      {
+         true_dofs.Append(true_dof);
+      }
+   }
+   true_dofs.Sort();
+   return true_dofs;
+}
+} // namespace
+
 TiedNodes::TiedNodes(BiphasicSpaces &spaces, const RigidBody &body)
 {
    MPI_Comm comm = spaces.GetComm();
-   const Array<int> marker = BoundaryMarker(spaces.GetMesh(), body.boundary);
-   Array<int> dofs;
-   spaces.Displacement().GetEssentialTrueDofs(marker, dofs, 0);
+   const Array<int> dofs = FindDofs(spaces, body);
    if (!AnyRank(dofs.Size() > 0, comm))
    {
       throw Error("the surfaces that the rigid body \"" + body.name +

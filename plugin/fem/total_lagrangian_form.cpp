@@ -20,11 +20,18 @@ void SumIntoTrueDofs(const ParFiniteElementSpace &space, const Vector &local,
    space.GetProlongationMatrix()->MultTranspose(local, true_dofs);
 }
 
+// Where its pores close, or without any the volume itself.
+real_t LeastVolumeRatio(const Material &material)
+{
+   return material.HasFluid() ? material.solid_fraction : 0.0;
+}
+
 void VerifyLaws(const NamedMesh &mesh, const MaterialTable &materials)
 {
    for (const int attribute : mesh.Get().attributes)
    {
-      if (!materials.Get(attribute).solid->IsObjective())
+      const Material &material = materials.Get(attribute);
+      if (!material.IsRigid() && !material.solid->IsObjective())
       {
          throw Error("the solid of \"" + NameOf(mesh.Regions(), attribute) +
                      "\" is a law of infinitesimal deformation; finite "
@@ -38,9 +45,10 @@ TotalLagrangianForm::TotalLagrangianForm(
    const NamedMesh &mesh_, BiphasicSpaces &spaces_,
    const MaterialTable &materials_,
    const std::vector<SpringFoundation> &springs_, const FollowerLoads &loads_,
-   ElementSides tangent_sides)
+   ElementSides tangent_sides, const GravityLoads *gravity_)
    : mesh(mesh_), spaces(spaces_), materials(materials_), springs(springs_),
-     loads(loads_), matrices((VerifyLaws(mesh, materials), spaces), materials),
+     loads(loads_), gravity(gravity_),
+     matrices((VerifyLaws(mesh, materials), spaces), materials),
      balance(spaces.GetComm()),
      stiffness(spaces.Displacement(), spaces.Displacement()),
      growth(spaces.Pressure(), spaces.Displacement()),
@@ -77,9 +85,14 @@ void TotalLagrangianForm::MeasureRest()
    Vector volumes;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
+      if (IsRigid(e))
+      {
+         continue;
+      }
       element.Set(e, u, p);
-      const real_t modulus =
-         materials.Get(element.Attribute()).solid->AggregateModulus();
+      const Material &material = materials.Get(element.Attribute());
+      const bool wet = material.HasFluid();
+      const real_t modulus = material.solid->AggregateModulus();
       const DenseMatrix &gradients = element.Gradients();
       const DenseMatrix &shapes = element.PressureShapes();
       const int nodes = gradients.Height();
@@ -95,7 +108,7 @@ void TotalLagrangianForm::MeasureRest()
             forces[k] += weight * modulus *
                          std::abs(gradients(k % nodes, 3 * q + k / nodes));
          }
-         for (int k = 0; k < volumes.Size(); k++)
+         for (int k = 0; wet && k < volumes.Size(); k++)
          {
             volumes[k] += weight * std::abs(shapes(k, q));
          }
@@ -188,16 +201,24 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage, Vector &momentum,
    Vector local_mass(p.Size());
    local_momentum = 0.0;
    local_mass = 0.0;
-   if (loads.Any())
+   if (loads.Any() || gravity)
    {
-      loads.AddLoads(ToLoads(stage), local_momentum, local_mass);
+      const FollowerLoads::State state = ToLoads(stage);
+      loads.AddLoads(state, local_momentum, local_mass);
+      if (gravity)
+      {
+         gravity->AddLoads(state, local_momentum, local_mass);
+      }
       local_momentum *= -1.0;
       local_mass *= -stage.dt;
    }
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
-      element.Set(e, u, p);
-      AddElement(stage, local_momentum, local_mass);
+      if (!IsRigid(e))
+      {
+         element.Set(e, u, p);
+         AddElement(stage, local_momentum, local_mass);
+      }
    }
    SumIntoTrueDofs(spaces.Displacement(), local_momentum, momentum);
    SumIntoTrueDofs(spaces.Pressure(), local_mass, mass);
@@ -212,7 +233,7 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
                                      Vector &mass) const
 {
    const Material &material = materials.Get(element.Attribute());
-   const PermeabilityLaw &permeability = *material.permeability;
+   const bool wet = material.HasFluid();
    const int points = element.Points();
    const bool mean_possible =
       !material.mean_dilatation ||
@@ -221,24 +242,25 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
    Vector growths(points);
    Vector flows(3 * points);
    Tensor3<> stress;
-   Tensor3<> conductance;
+   Tensor3<> conductance{};
    for (int q = 0; q < points; q++)
    {
       const Tensor3<> F = element.DeformationGradient(q);
       const Tensor3<> cofactor = Cofactor(F);
       const real_t J = Determinant(F, cofactor);
       const MaterialPoint point = element.Point(q);
-      const bool possible =
-         mean_possible && J > material.solid_fraction &&
-         GetStress(material, q, F, stress) &&
-         permeability.GetReferential(point, F, conductance, nullptr);
+      const bool possible = mean_possible && J > LeastVolumeRatio(material) &&
+                            GetStress(material, q, F, stress) &&
+                            (!wet || material.permeability->GetReferential(
+                                        point, F, conductance, nullptr));
       const real_t weight = possible ? element.Weight(q)
                                      : std::numeric_limits<real_t>::quiet_NaN();
       const Vector3<> flow = Product(conductance, element.PressureGradient(q));
+      const real_t pressure = wet ? element.Pressure(q) : 0.0;
       for (int a = 0; a < 3; a++)
       {
          const Vector3<> row = element.ToReference(
-            q, weight * (stress[a] - element.Pressure(q) * cofactor[a]));
+            q, weight * (stress[a] - pressure * cofactor[a]));
          for (int c = 0; c < 3; c++)
          {
             stresses(3 * q + c, a) = row[c];
@@ -256,10 +278,13 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
    DenseMatrix by_node(forces.GetData(), forces.Size() / 3, 3);
    mfem::Mult(element.Slopes(), stresses, by_node);
    momentum.AddElementVector(element.DisplacementDofs(), forces);
-   Vector volumes(element.PressureDofs().Size());
-   element.PressureShapes().Mult(growths, volumes);
-   element.PressureSlopes().AddMult(flows, volumes);
-   mass.AddElementVector(element.PressureDofs(), volumes);
+   if (wet)
+   {
+      Vector volumes(element.PressureDofs().Size());
+      element.PressureShapes().Mult(growths, volumes);
+      element.PressureSlopes().AddMult(flows, volumes);
+      mass.AddElementVector(element.PressureDofs(), volumes);
+   }
 }
 
 bool TotalLagrangianForm::GetStress(const Material &material, int point,
@@ -317,6 +342,10 @@ void TotalLagrangianForm::GetGrowth(const BodyStage &stage,
    Vector volumes;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
+      if (!materials.Get(spaces.GetMesh().GetAttribute(e)).HasFluid())
+      {
+         continue;
+      }
       element.Set(e, u, p);
       growths.SetSize(element.Points());
       for (int q = 0; q < element.Points(); q++)
@@ -370,6 +399,10 @@ std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
    std::string failure;
    for (int e = 0; e < spaces.GetMesh().GetNE() && failure.empty(); e++)
    {
+      if (IsRigid(e))
+      {
+         continue;
+      }
       element.Set(e, u, p);
       for (int q = 0; q < element.Points() && failure.empty(); q++)
       {
@@ -390,7 +423,7 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
    {
       what = "is turned inside out";
    }
-   else if (!(J > material.solid_fraction))
+   else if (!(J > LeastVolumeRatio(material)))
    {
       what = "has no pores left, as its solid fraction is " +
              ToText(material.solid_fraction);
@@ -401,8 +434,8 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
    {
       what = "has no finite stress";
    }
-   else if (!material.permeability->GetReferential(element.Point(point), F,
-                                                   value, nullptr))
+   else if (material.HasFluid() && !material.permeability->GetReferential(
+                                      element.Point(point), F, value, nullptr))
    {
       what = "has no permeability";
    }
@@ -416,6 +449,11 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
           std::to_string(mesh.SerialElements()[number]) + " of \"" +
           NameOf(mesh.Regions(), element.Attribute()) +
           "\": det F = " + ToText(J);
+}
+
+bool TotalLagrangianForm::IsRigid(int number) const
+{
+   return materials.Get(spaces.GetMesh().GetAttribute(number)).IsRigid();
 }
 
 bool TotalLagrangianForm::LinearizeElement(BodyElement &points, int number,
@@ -453,6 +491,10 @@ void TotalLagrangianForm::CorrectStraightTangent()
    constexpr real_t any_step = 1.0;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
+      if (IsRigid(e))
+      {
+         continue;
+      }
       LinearizeElement(element, e, any_step);
       AddTangent(e);
       LinearizeElement(*straight_element, e, any_step);
@@ -478,10 +520,18 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
    }
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
-      LinearizeElement(e, stage.dt);
-      AddTangent(e);
+      if (!IsRigid(e))
+      {
+         LinearizeElement(e, stage.dt);
+         AddTangent(e);
+      }
    }
-   loads.AddDerivatives(ToLoads(stage), stiffness, growth, divergence);
+   const FollowerLoads::State state = ToLoads(stage);
+   loads.AddDerivatives(state, stiffness, growth, divergence);
+   if (gravity)
+   {
+      gravity->AddDerivatives(state, stiffness, divergence);
+   }
    matrices.stiffness = stiffness.Sum();
    AddSprings();
    matrices.divergence_transpose.reset(growth.Sum()->Transpose());

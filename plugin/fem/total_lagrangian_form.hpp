@@ -5,6 +5,7 @@
 #include "synovia/fem/element_tangent.hpp"
 #include "synovia/fem/evaluated_balance.hpp"
 #include "synovia/fem/follower_loads.hpp"
+#include "synovia/fem/gravity_loads.hpp"
 #include "synovia/fem/local_matrix.hpp"
 #include "synovia/fem/smooth_stabilization.hpp"
 #include "synovia/fem/spring_foundation.hpp"
@@ -22,9 +23,9 @@ namespace synovia
 ///     mass:      int q (J - J_0) + dt int grad q . K(F) grad p
 ///                + S (p - p_0 - smooth part)
 ///
-/// less FollowerLoads, with F = I + grad u, the pressure p of the fluid in
-/// space, and J_0 what the stage begins with: fluid is conserved to round-off,
-/// whatever the step.
+/// less FollowerLoads and GravityLoads, with F = I + grad u, the pressure p of
+/// the fluid in space, and J_0 what the stage begins with: fluid is conserved
+/// to round-off, whatever the step.
 class TotalLagrangianForm : public BodyForm
 {
 public:
@@ -37,7 +38,8 @@ public:
                        const MaterialTable &materials,
                        const std::vector<SpringFoundation> &springs,
                        const FollowerLoads &loads,
-                       ElementSides tangent_sides = ElementSides::as_meshed);
+                       ElementSides tangent_sides = ElementSides::as_meshed,
+                       const GravityLoads *gravity = nullptr);
 
    int ConservedSize() const override { return element.AllPoints(); }
    void GetConserved(const mfem::Vector &u,
@@ -76,6 +78,8 @@ private:
    /// the material has a mean dilatation; false where the law has no value.
    bool GetStress(const Material &material, int point, const Tensor3<> &F,
                   Tensor3<> &stress) const;
+   /// Whether an element, by its number on this rank, is part of a rigid body.
+   bool IsRigid(int number) const;
    void AddStabilization(const BodyStage &stage, mfem::Vector &mass) const;
    void AddSprings();
    /// Sets what terms cancel where nothing is deformed.
@@ -96,6 +100,8 @@ private:
    const MaterialTable &materials;
    const std::vector<SpringFoundation> &springs;
    const FollowerLoads &loads;
+   /// Null if there is none.
+   const GravityLoads *gravity;
    VolumeMatrices matrices;
    mutable EvaluatedBalance balance;
    std::unique_ptr<SmoothStabilization> smooth_stabilization;

@@ -24,6 +24,18 @@ std::unique_ptr<HypreParMatrix> Assemble(ParFiniteElementSpace &space,
    form.Finalize();
    return SumShared(space, space, form.SpMat());
 }
+
+// 1 for each attribute whose material has fluid.
+Array<int> WetMarker(const ParMesh &mesh, const MaterialTable &materials)
+{
+   Array<int> marker(mesh.attributes.Max());
+   marker = 0;
+   for (const int attribute : materials.WithFluid(mesh.attributes))
+   {
+      marker[attribute - 1] = 1;
+   }
+   return marker;
+}
 } // namespace
 
 VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
@@ -50,7 +62,9 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
          new PressureProjectionIntegrator(materials, spaces.Stabilization()));
    }
    ParMixedBilinearForm form(&spaces.Displacement(), &spaces.Pressure());
-   form.AddDomainIntegrator(new WithFewerPoints<VectorDivergenceIntegrator>);
+   Array<int> wet = WetMarker(spaces.GetMesh(), materials);
+   form.AddDomainIntegrator(new WithFewerPoints<VectorDivergenceIntegrator>,
+                            wet);
    form.Assemble();
    form.Finalize();
    divergence.reset(form.ParallelAssemble());

@@ -18,8 +18,9 @@ struct VolumeMatrices
 
    /// (C eps(u), eps(w)), displacement x displacement.
    std::shared_ptr<mfem::HypreParMatrix> stiffness;
-   /// (div u, q), pressure x displacement, and its transpose; in finite
-   /// deformation the former has the change of the flow as well.
+   /// (div u, q) where there is fluid, as all that has pressures, pressure x
+   /// displacement, and its transpose; in finite deformation the former has the
+   /// change of the flow as well.
    std::shared_ptr<mfem::HypreParMatrix> divergence;
    std::shared_ptr<mfem::HypreParMatrix> divergence_transpose;
    /// (kappa grad p, grad q), pressure x pressure.

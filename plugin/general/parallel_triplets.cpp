@@ -92,7 +92,7 @@ public:
       std::ptrdiff_t count = 0;
       for (const Entry *entry = begin; entry != end; entry++)
       {
-         // Places are those of other rows, too, unless the column agrees.
+         // A place may belong to another row, unless the column agrees.
          int &place = places[entry->column - first];
          if (place < count && begin[place].column == entry->column)
          {

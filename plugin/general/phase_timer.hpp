@@ -2,14 +2,18 @@
 
 #include "mfem.hpp"
 
+#include "synovia/general/profiled_phase.hpp"
+
 namespace synovia
 {
 
-/// Adds the wall time that it lives (s) to a counter, which it borrows.
+/// Adds the wall time that it lives (s) to a counter, which it borrows, and is
+/// a phase for profilers meanwhile.
 class PhaseTimer
 {
 public:
-   explicit PhaseTimer(mfem::real_t &counter_) : counter(counter_)
+   PhaseTimer(mfem::real_t &counter_, const char *name)
+      : phase(name), counter(counter_)
    {
       watch.Start();
    }
@@ -18,6 +22,7 @@ public:
    PhaseTimer &operator=(const PhaseTimer &) = delete;
 
 private:
+   ProfiledPhase phase;
    mfem::real_t &counter;
    mfem::StopWatch watch;
 };

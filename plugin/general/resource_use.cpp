@@ -10,17 +10,31 @@ namespace synovia
 
 using namespace mfem;
 
-ResourceUse GetResourceUse(MPI_Comm comm)
+namespace
+{
+rusage ResourcesOfProcess()
 {
    rusage mine{};
    getrusage(RUSAGE_SELF, &mine);
+   return mine;
+}
+} // namespace
+
+real_t GetPeakMemory()
+{
    // Linux counts kilobytes, macOS bytes.
 #ifdef __APPLE__
    constexpr real_t unit = 1.0 / (1024.0 * 1024.0);
 #else
    constexpr real_t unit = 1.0 / 1024.0;
 #endif
-   const real_t memory = unit * static_cast<real_t>(mine.ru_maxrss);
+   return unit * static_cast<real_t>(ResourcesOfProcess().ru_maxrss);
+}
+
+ResourceUse GetResourceUse(MPI_Comm comm)
+{
+   const rusage mine = ResourcesOfProcess();
+   const real_t memory = GetPeakMemory();
    const auto seconds = [](const timeval &time)
    { return static_cast<real_t>(time.tv_sec) + 1e-6 * time.tv_usec; };
    ResourceUse use;

@@ -16,6 +16,9 @@ struct ResourceUse
    mfem::real_t cpu_seconds = 0.0;
 };
 
+/// Peak of the memory that this rank has had in use (MiB).
+mfem::real_t GetPeakMemory();
+
 /// Of all ranks so far, as the operating system counts it. Collective.
 ResourceUse GetResourceUse(MPI_Comm comm);
 

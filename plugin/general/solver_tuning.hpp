@@ -109,7 +109,7 @@ struct FactorizationTuning
    /// that was solved for is not solved for again. Larger: fewer solves, more
    /// iterations in sliding contact.
    mfem::real_t like_column = 1e-2;
-   /// Cost of a column among many over that of a solve of its own. With
+   /// Cost of a column among many relative to a solve of its own. With
    /// renew_after it decides when the factorization is renewed and how much
    /// memory columns may take.
    mfem::real_t column_cost = 0.1;

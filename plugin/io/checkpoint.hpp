@@ -17,10 +17,10 @@ namespace synovia
 /// other. The newest @a keep checkpoints stay; the others go, and so do those
 /// of later steps, which an earlier run must have left.
 ///
-/// @a setup is the case as text, for who goes on from it to compare.
+/// @a setup is the case as text, to be compared when a run goes on from it.
 ///
 /// Collective; rank 0 writes. Throws Error on all ranks if the file can't be
-/// written, because the disk is full, say: those of before are then still
+/// written, because the disk is full, say: earlier checkpoints are then still
 /// there, and the caller may go on.
 std::string WriteCheckpoint(const std::string &directory,
                             BiphasicProblem &problem, TimeStepper &stepper,

@@ -11,13 +11,14 @@ using namespace mfem;
 
 namespace
 {
-/// -kappa grad p with the table's permeability.
+/// -kappa (grad p - rho b) with the table's permeability and an acceleration.
 class RelativeFlux : public VectorCoefficient
 {
 public:
    RelativeFlux(const ParGridFunction &pressure_,
-                const MaterialTable &materials_)
-      : VectorCoefficient(3), pressure(pressure_), materials(materials_)
+                const MaterialTable &materials_, const Point3 &acceleration_)
+      : VectorCoefficient(3), pressure(pressure_), materials(materials_),
+        acceleration(acceleration_)
    {
    }
    void Eval(Vector &value, ElementTransformation &trans,
@@ -25,29 +26,45 @@ public:
    {
       trans.SetIntPoint(&ip);
       pressure.GetGradient(trans, value);
-      value *= -materials.Get(trans.Attribute)
-                   .permeability->GetPermeability(trans, ip);
+      const Material &material = materials.Get(trans.Attribute);
+      for (int d = 0; d < 3; d++)
+      {
+         value[d] -= material.fluid_density * acceleration[d];
+      }
+      value *= material.HasFluid()
+                  ? -material.permeability->GetPermeability(trans, ip)
+                  : 0.0;
    }
 
 private:
    const ParGridFunction &pressure;
    const MaterialTable &materials;
+   Point3 acceleration;
 };
 
-/// -k grad_x p = -F K grad p/J of deformed bodies, per current area.
+/// -k (grad_x p - rho b) = -F K (grad p - rho F^T b)/J of deformed bodies, per
+/// current area.
 class DeformedRelativeFlux : public VectorCoefficient
 {
 public:
    DeformedRelativeFlux(const ParGridFunction &displacement_,
                         const ParGridFunction &pressure_,
-                        const MaterialTable &materials_)
+                        const MaterialTable &materials_,
+                        const Point3 &acceleration_)
       : VectorCoefficient(3), displacement(displacement_), pressure(pressure_),
-        materials(materials_)
+        materials(materials_), acceleration(acceleration_)
    {
    }
    void Eval(Vector &value, ElementTransformation &trans,
              const IntegrationPoint &ip) override
    {
+      const Material &material = materials.Get(trans.Attribute);
+      value.SetSize(3);
+      value = 0.0;
+      if (!material.HasFluid())
+      {
+         return;
+      }
       trans.SetIntPoint(&ip);
       displacement.GetVectorGradient(trans, gradient);
       pressure.GetGradient(trans, slope);
@@ -56,11 +73,17 @@ public:
       {
          F[k / 3][k % 3] += gradient(k / 3, k % 3);
       }
+      for (int c = 0; c < 3; c++)
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            slope[c] -= material.fluid_density * F[d][c] * acceleration[d];
+         }
+      }
       Tensor3<> conductance{};
-      materials.Get(trans.Attribute)
-         .permeability->GetReferential({trans, ip}, F, conductance, nullptr);
+      material.permeability->GetReferential({trans, ip}, F, conductance,
+                                            nullptr);
       const Tensor3<> spatial = Product(F, conductance);
-      value.SetSize(3);
       for (int i = 0; i < 3; i++)
       {
          value[i] = -(spatial[i][0] * slope[0] + spatial[i][1] * slope[1] +
@@ -73,6 +96,7 @@ private:
    const ParGridFunction &displacement;
    const ParGridFunction &pressure;
    const MaterialTable &materials;
+   Point3 acceleration;
    DenseMatrix gradient;
    Vector slope;
 };
@@ -121,12 +145,17 @@ public:
                         mesh, pair.Geometry().Destination().Boundary())),
         elements(1, 2), space(&surface, &elements),
         parent(&spaces.Multiplier()), pressure(&space), gap(&space),
-        status(&space),
+        status(&space), friction(&space), sliding(&space),
         output(directory, "contact_" + pair.Name(), surface, 1, append)
    {
       output.Register("contact_pressure", pressure);
       output.Register("gap", gap);
       output.Register("contact_status", status);
+      if (pair.State().rubs)
+      {
+         output.Register("friction", friction);
+         output.Register("sliding", sliding);
+      }
    }
 
    void Save(int cycle, real_t time)
@@ -135,6 +164,11 @@ public:
       pressure.Neg();
       Transfer(pair.State().gap, gap);
       Transfer(pair.State().Touching(), status);
+      if (pair.State().rubs)
+      {
+         Transfer(PresentFriction(pair), friction);
+         Transfer(pair.State().friction.Sliding(), sliding);
+      }
       output.Save(cycle, time);
    }
 
@@ -155,6 +189,8 @@ private:
    ParGridFunction pressure;
    ParGridFunction gap;
    ParGridFunction status;
+   ParGridFunction friction;
+   ParGridFunction sliding;
    ParaViewOutput output;
 };
 
@@ -196,15 +232,17 @@ void FieldOutput::Update()
    stress.Update(stepper.Displacement(), stepper.Pressure());
    velocity.SetFromTrueDofs(stepper.Velocity());
    velocity.HostRead();
+   const Point3 acceleration = problem.Acceleration(stepper.Time());
    if (strains)
    {
       strains->Update(stepper.Displacement());
       DeformedRelativeFlux in_space(stepper.Displacement(), stepper.Pressure(),
-                                    problem.Materials());
+                                    problem.Materials(), acceleration);
       flux.ProjectDiscCoefficient(in_space, GridFunction::ARITHMETIC);
       return;
    }
-   RelativeFlux coefficient(stepper.Pressure(), problem.Materials());
+   RelativeFlux coefficient(stepper.Pressure(), problem.Materials(),
+                            acceleration);
    flux.ProjectDiscCoefficient(coefficient, GridFunction::ARITHMETIC);
 }
 

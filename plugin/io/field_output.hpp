@@ -19,8 +19,8 @@ namespace synovia
 /// volume_ratio, porosity, and largest_stress_direction and
 /// smallest_stress_direction of the total stress. Stresses and relative flux
 /// are those in space: per current area.
-/// `contact_<pair>`: contact_pressure, gap and contact_status on the
-/// destination.
+/// `contact_<pair>`: contact_pressure, gap, contact_status, friction, sliding
+/// on the destination.
 class FieldOutput
 {
 public:

@@ -67,6 +67,14 @@ void AddContact(History::Row &row, const ContactPair &pair)
    row.emplace_back(prefix + "peak_traction", now.peak_traction);
    row.emplace_back(prefix + "peak_pressure", now.peak_pressure);
    row.emplace_back(prefix + "fluid_exchange", now.fluid_exchange);
+   if (pair.State().rubs)
+   {
+      AddPoint(row, prefix + "friction_", now.friction.force);
+      row.emplace_back(prefix + "friction_coefficient",
+                       now.friction.coefficient);
+      row.emplace_back(prefix + "sliding", now.friction.sliding);
+      row.emplace_back(prefix + "dissipation", now.friction.dissipation);
+   }
 }
 } // namespace
 
@@ -94,6 +102,27 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
       AddPoint(row, prefix + "rotation_", RotationOf(body.pose));
       AddPoint(row, prefix + "force_", body.force);
       AddPoint(row, prefix + "moment_", body.moment);
+   }
+   for (const BiphasicProblem::LigamentState &ligament :
+        problem.LigamentStates())
+   {
+      const std::string prefix = "ligament." + ligament.name + ".";
+      row.emplace_back(prefix + "length", ligament.length);
+      row.emplace_back(prefix + "force", ligament.force);
+   }
+   for (const BiphasicProblem::JointState &joint : problem.JointStates())
+   {
+      const std::string prefix = "joint." + joint.name + ".";
+      for (int k = 0; k < 6; k++)
+      {
+         const std::string &name = JointCoordinateNames()[k];
+         row.emplace_back(prefix + name, joint.coordinates[k]);
+         if (joint.prescribed[k])
+         {
+            row.emplace_back(prefix + name + (k < 3 ? "_moment" : "_force"),
+                             joint.drives[k]);
+         }
+      }
    }
    for (const ContactPair *pair : op.Pairs())
    {

@@ -17,6 +17,9 @@ namespace synovia
 ///     contact.<pair>.area, .penetration, .pressure_jump, .peak_traction,
 ///     .peak_pressure (of the destination's sealed vertices),
 ///     .fluid_exchange (volume / time, from source to destination)
+///     contact.<pair>.friction_x|y|z (part of force), .friction_coefficient
+///     (friction over normal force), .sliding (part of the area in contact),
+///     .dissipation (work since the start): of pairs with friction
 ///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
 ///     fluid.peak_pressure
 ///     solver.newton, .augmentations, .linear, .most_linear

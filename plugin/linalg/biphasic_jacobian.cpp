@@ -87,19 +87,24 @@ bool BiphasicJacobian::IsContactSymmetric() const
                       { return pair.IsSymmetric() && pair.IsUncoupled(); });
 }
 
-void BiphasicJacobian::AddContactForces(const Vector &x, Vector &y) const
+void BiphasicJacobian::AddContactForces(const Vector &u, const Vector &p,
+                                        Vector &y) const
 {
    for (const ContactFactors &pair : Contact())
    {
       rows.SetSize(pair.gap_change->Height());
-      pair.gap_change->Mult(x, rows);
+      pair.gap_change->Mult(u, rows);
       rows *= *pair.gap_weights;
       product.SetSize(y.Size());
       pair.gap->MultTranspose(rows, product);
       y += product;
       if (pair.force_change)
       {
-         pair.force_change->Mult(1.0, x, 1.0, y);
+         pair.force_change->Mult(1.0, u, 1.0, y);
+      }
+      if (pair.force_by_pressure)
+      {
+         pair.force_by_pressure->Mult(1.0, p, 1.0, y);
       }
    }
 }
@@ -164,7 +169,7 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    flow->Mult(-1.0, p_free, 0.0, y_p);
    AddContactMass(-dt, &u_free, &p_free, y_p);
    matrices.stiffness->Mult(u_free, y_u);
-   AddContactForces(u_free, y_u);
+   AddContactForces(u_free, p_free, y_u);
    matrices.divergence->Mult(-1.0, u_free, 1.0, y_p);
    matrices.divergence_transpose->Mult(-1.0, p_free, 1.0, y_u);
    Vector on_freedoms;
@@ -227,6 +232,24 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
    return block;
 }
 
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::LoadBlock() const
+{
+   auto block =
+      std::make_unique<HypreParMatrix>(*matrices.divergence_transpose);
+   for (const ContactFactors &pair : Contact())
+   {
+      if (pair.force_by_pressure)
+      {
+         block.reset(Add(1.0, *block, -1.0, *pair.force_by_pressure));
+      }
+   }
+   Vector counts(block->Height());
+   counts = 1.0;
+   counts.SetSubVector(u_dofs, 0.0);
+   block->ScaleRows(counts);
+   return block;
+}
+
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::CouplingBlock() const
 {
    std::unique_ptr<HypreParMatrix> sum;
@@ -281,7 +304,14 @@ Vector BiphasicJacobian::Holding() const
       Add(1.0, *flow, 1.0, *matrices.compliance));
    Vector holding(schur->Height());
    schur->GetDiag(holding);
-   holding *= large;
+   holding.HostReadWrite();
+   // Pressures that no fluid has are in no equation.
+   real_t scale = holding.Size() > 0 ? holding.Normlinf() : 0.0;
+   scale = scale > 0.0 ? scale : 1.0;
+   for (real_t &entry : holding)
+   {
+      entry = large * (entry != 0.0 ? entry : scale);
+   }
    return holding;
 }
 
@@ -297,12 +327,7 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
    }
    else
    {
-      transpose =
-         std::make_unique<HypreParMatrix>(*matrices.divergence_transpose);
-      Vector counts(transpose->Height());
-      counts = 1.0;
-      counts.SetSubVector(u_dofs, 0.0);
-      transpose->ScaleRows(counts);
+      transpose = LoadBlock();
    }
    const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
    SparseMatrix diagonal;

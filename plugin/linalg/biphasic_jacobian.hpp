@@ -10,16 +10,17 @@ namespace synovia
 /// The linearized equations of one stage, for (displacement, pressure), the
 /// former reduced by RigidSurfaces where there are any:
 ///
-///     [ K + G^T W R + F                  -B^T            ]
+///     [ K + G^T W R + F                  -B^T + H        ]
 ///     [ -(B + dt (J^T W_p J_u + O))  -(dt L + S + dt J^T W_p J) ]
 ///
 /// with unit rows and columns for prescribed dofs, and with the
-/// ContactFactors G, R, F = force_change, J, J_u = jump_change and O =
-/// outflow_change, of which R is G, and F, J_u and O are zero, in infinitesimal
-/// contact. It is symmetric and quasi-definite then, K, B, L, S constant for
-/// linear bodies; contact acts through its factors, so that a change of the
-/// active set costs nothing here. In finite deformation the matrices follow the
-/// state, and B in the second row has the change of the flow beside it.
+/// ContactFactors G, R, F = force_change, H = force_by_pressure, J, J_u =
+/// jump_change and O = outflow_change, of which R is G, and F, H, J_u and O are
+/// zero, in infinitesimal contact. It is symmetric and quasi-definite then, K,
+/// B, L, S constant for linear bodies; contact acts through its factors, so
+/// that a change of the active set costs nothing here. In finite deformation
+/// the matrices follow the state, and B in the second row has the change of the
+/// flow beside it.
 ///
 /// Where surfaces are tied to rigid bodies, the equations are those of
 /// TieTangent: the slots of its free freedoms are unknowns, all other tied dofs
@@ -99,8 +100,11 @@ private:
    std::unique_ptr<Matrix> CouplingBlock() const;
    /// dt L + S + dt J^T W_p J
    std::unique_ptr<Matrix> PressureBlock() const;
-   /// y += contact's (G^T W R + F) x
-   void AddContactForces(const mfem::Vector &x, mfem::Vector &y) const;
+   /// y += contact's (G^T W R + F) u + H p
+   void AddContactForces(const mfem::Vector &u, const mfem::Vector &p,
+                         mfem::Vector &y) const;
+   /// B^T - sum H, with zero rows for prescribed dofs.
+   std::unique_ptr<Matrix> LoadBlock() const;
    /// y += scale x contact's mass of a displacement and a pressure, of which
    /// either may be null.
    void AddContactMass(mfem::real_t scale, const mfem::Vector *u,

@@ -1,10 +1,12 @@
 #include "synovia/linalg/biphasic_linear_solver.hpp"
+#include "synovia/general/phase_timer.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/linalg/block_amg_preconditioner.hpp"
 #include "synovia/linalg/bordered_preconditioner.hpp"
 #include "synovia/linalg/direct_preconditioner.hpp"
 #include "synovia/linalg/scaled_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -14,12 +16,18 @@ using namespace mfem;
 
 namespace
 {
+// Of the rows that have any; 1 if there are none.
 real_t MeanDiagonal(const HypreParMatrix &matrix)
 {
    Vector diagonal(matrix.Height());
    matrix.GetDiag(diagonal);
-   return SumOverRanks(diagonal.Sum(), matrix.GetComm()) /
-          matrix.GetGlobalNumRows();
+   diagonal.HostRead();
+   const real_t rows = static_cast<real_t>(
+      std::count_if(diagonal.begin(), diagonal.end(),
+                    [](real_t entry) { return entry != 0.0; }));
+   const real_t all = SumOverRanks(rows, matrix.GetComm());
+   return all > 0.0 ? SumOverRanks(diagonal.Sum(), matrix.GetComm()) / all
+                    : 1.0;
 }
 } // namespace
 
@@ -148,10 +156,10 @@ BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
    while (again && !result.converged &&
           result.iterations < options.max_iterations)
    {
-      StopWatch watch;
-      watch.Start();
-      preconditioner->Update();
-      result.setup_seconds += watch.RealTime();
+      {
+         const PhaseTimer timer(result.setup_seconds, "setup");
+         preconditioner->Update();
+      }
       solver.SetMaxIter(std::min(preconditioner->Patience(),
                                  options.max_iterations - result.iterations));
       // A guess of zero need not be multiplied.

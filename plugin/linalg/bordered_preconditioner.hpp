@@ -52,13 +52,13 @@ private:
    /// Of a freedom whose surroundings are held (force / length).
    mfem::Vector held_stiffness;
    mfem::DenseMatrixInverse inverse;
-   /// Iterations that the columns took, those of the first solve with them for
-   /// a tenth of the residual, and those since that were more than with that.
+   /// Iterations spent on the columns; iterations of the first solve with them
+   /// for a tenth of the residual; and iterations since beyond that rate.
    int column_iterations = 0;
    mfem::real_t fresh_rate = 0.0;
    mfem::real_t extra_iterations = 0.0;
    bool outdated = true;
-   /// Whether the columns are those of the present equations.
+   /// Whether the columns belong to the present equations.
    bool fresh = false;
    int columns_solved = 0;
    mutable mfem::Vector right_side;

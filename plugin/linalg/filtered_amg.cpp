@@ -297,8 +297,8 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
    amg->Mult(residual, y);
    y.SetSubVector(held, 0.0);
 
-   // The first solve left nothing at the contact's dofs: what there is now, the
-   // V-cycle made.
+   // The first solve left no residual at the contact's dofs: what they have
+   // now is due to the V-cycle.
    y.GetSubVector(contact_dofs, small_correction);
    contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
    penalties->Mult(-1.0, small_correction, 1.0, small_residual);

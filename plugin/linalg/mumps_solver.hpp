@@ -28,8 +28,8 @@ public:
    /// Collective.
    ~MumpsSolver() override;
 
-   /// Factorizes a HypreParMatrix; orders anew only if entries are at other
-   /// places than those of the last one. Collective, as solves are.
+   /// Factorizes a HypreParMatrix; orders anew only if its sparsity pattern
+   /// differs from the last one's. Collective, as solves are.
    void SetOperator(const mfem::Operator &op) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
    void ArrayMult(const mfem::Array<const mfem::Vector *> &x,

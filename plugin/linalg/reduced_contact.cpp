@@ -38,6 +38,13 @@ void ReducedContact::Update()
          one_gap ? factors.gap : ReduceColumns(factors.gap_change);
       factors.jump_change = ReduceColumns(factors.jump_change);
       factors.outflow_change = ReduceColumns(factors.outflow_change);
+      if (factors.force_by_pressure)
+      {
+         const std::unique_ptr<HypreParMatrix> columns(
+            factors.force_by_pressure->Transpose());
+         matrices.emplace_back(rigid->Reduce(*columns)->Transpose());
+         factors.force_by_pressure = matrices.back().get();
+      }
       if (factors.force_change)
       {
          matrices.push_back(rigid->ReduceBoth(*factors.force_change));

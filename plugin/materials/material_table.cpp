@@ -8,8 +8,8 @@ using namespace mfem;
 
 void MaterialTable::Set(const Array<int> &attributes, const Material &material)
 {
-   MFEM_VERIFY(material.solid && material.permeability,
-               "a material needs a solid law and a permeability law");
+   MFEM_VERIFY(material.solid || !material.permeability,
+               "a permeability law needs a solid law beside it");
    VerifySolidFraction(material.solid_fraction);
    for (const int attribute : attributes)
    {
@@ -24,13 +24,26 @@ void MaterialTable::Set(const Array<int> &attributes, const Material &material)
 bool MaterialTable::Has(int attribute) const
 {
    return attribute >= 0 && attribute < static_cast<int>(by_attribute.size()) &&
-          by_attribute[attribute].solid;
+          by_attribute[attribute];
 }
 
 const Material &MaterialTable::Get(int attribute) const
 {
    MFEM_VERIFY(Has(attribute), "no material for attribute " << attribute);
-   return by_attribute[attribute];
+   return *by_attribute[attribute];
+}
+
+Array<int> MaterialTable::WithFluid(const Array<int> &attributes) const
+{
+   Array<int> wet;
+   for (const int attribute : attributes)
+   {
+      if (Get(attribute).HasFluid())
+      {
+         wet.Append(attribute);
+      }
+   }
+   return wet;
 }
 
 } // namespace synovia

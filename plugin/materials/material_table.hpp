@@ -3,6 +3,7 @@
 #include "synovia/materials/permeability_law.hpp"
 #include "synovia/materials/solid_law.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace synovia
@@ -11,15 +12,23 @@ namespace synovia
 /// What a region is made of. The laws are borrowed.
 struct Material
 {
+   /// Null: part of a rigid body.
    const SolidLaw *solid = nullptr;
+   /// Null: an elastic solid without fluid.
    const PermeabilityLaw *permeability = nullptr;
    /// phi_s, the volume fraction of the solid; it splits the total stress into
    /// solid and fluid parts and does not enter the balance laws.
    mfem::real_t solid_fraction = 0.2;
    /// Whether the solid sees the mean change of volume of each element instead
-   /// of those of its points: nearly incompressible solids don't lock then on
+   /// of its points' own: nearly incompressible solids don't lock then on
    /// hexahedra and wedges of order 1. Tetrahedra of order 1 stay as they are.
    bool mean_dilatation = false;
+   /// True ones of solid and fluid, for forces per mass (mass / volume).
+   mfem::real_t solid_density = 0.0;
+   mfem::real_t fluid_density = 0.0;
+
+   bool IsRigid() const { return solid == nullptr; }
+   bool HasFluid() const { return permeability != nullptr; }
 };
 
 /// The material of each element attribute.
@@ -32,12 +41,15 @@ public:
 
    bool Has(int attribute) const;
    const Material &Get(int attribute) const;
+   /// Of these attributes, those whose materials have fluid; all of them must
+   /// have a material.
+   mfem::Array<int> WithFluid(const mfem::Array<int> &attributes) const;
 
 private:
-   std::vector<Material> by_attribute;
+   std::vector<std::optional<Material>> by_attribute;
 };
 
-/// kappa of the table's materials.
+/// kappa of the table's materials; 0 without fluid.
 class PermeabilityCoefficient : public mfem::Coefficient
 {
 public:
@@ -49,15 +61,17 @@ public:
    mfem::real_t Eval(mfem::ElementTransformation &trans,
                      const mfem::IntegrationPoint &ip) override
    {
-      return materials.Get(trans.Attribute)
-         .permeability->GetPermeability(trans, ip);
+      const Material &material = materials.Get(trans.Attribute);
+      return material.HasFluid()
+                ? material.permeability->GetPermeability(trans, ip)
+                : 0.0;
    }
 
 private:
    const MaterialTable &materials;
 };
 
-/// 1/H_A of the table's materials.
+/// 1/H_A of the table's materials; 0 without fluid.
 class ComplianceCoefficient : public mfem::Coefficient
 {
 public:
@@ -69,7 +83,9 @@ public:
    mfem::real_t Eval(mfem::ElementTransformation &trans,
                      const mfem::IntegrationPoint &) override
    {
-      return 1.0 / materials.Get(trans.Attribute).solid->AggregateModulus();
+      const Material &material = materials.Get(trans.Attribute);
+      return material.HasFluid() ? 1.0 / material.solid->AggregateModulus()
+                                 : 0.0;
    }
 
 private:

@@ -20,7 +20,7 @@ public:
    /// Sets the effective first Piola-Kirchhoff stress P (force per undeformed
    /// area) at the deformation gradient @a F = I + grad u, det F > 0, and,
    /// unless @a tangent is null, dP/dF. False where the law has no value, such
-   /// as that of a porous solid whose pores are closed.
+   /// as for a porous solid whose pores are closed.
    virtual bool GetStress(const MaterialPoint &point, const Tensor3<> &F,
                           Tensor3<> &stress, Tangent3 *tangent) const = 0;
 

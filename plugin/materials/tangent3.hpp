@@ -30,7 +30,7 @@ inline Tangent3 CofactorDerivative(const Tensor3<> &F)
    return derivative;
 }
 
-/// Adds @a factor x A (x) B: the derivative of A f, where B is that of f.
+/// Adds @a factor x A (x) B: the derivative of A f, where B = df/dF.
 inline void AddDyad(mfem::real_t factor, const Tensor3<> &A, const Tensor3<> &B,
                     Tangent3 &tangent)
 {

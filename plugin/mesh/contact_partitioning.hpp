@@ -10,7 +10,7 @@ namespace synovia
 /// and so that each rank has as much of the contact as of the bodies: without
 /// that METIS gives each body to a rank of its own, and the contact to one.
 /// Names of surfaces that the mesh has not are left out. Gives a rank for each
-/// element, the same on all ranks.
+/// element.
 std::vector<int> PartitionByContact(mfem::Mesh &serial,
                                     const NameTable &boundaries,
                                     const std::vector<FacingSurfaces> &contacts,

@@ -1,5 +1,6 @@
 #include "synovia/mesh/curved_layers.hpp"
 #include "synovia/general/error.hpp"
+#include "synovia/mesh/mesh_share.hpp"
 #include "synovia/mesh/stack_bodies.hpp"
 
 #include <algorithm>
@@ -74,33 +75,33 @@ void Bend(Mesh &slab, real_t radius)
 NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
 {
    Check(options);
-   Mesh lower = MakeSlab(options, options.lower_cells);
-   Mesh upper = MakeSlab(options, options.upper_cells);
-   Lower(lower, options.thickness);
-   Bend(upper, options.curvature_radius);
-   StackedBodies both = StackBodies({&lower, &upper});
+   int rank = 0;
+   MPI_Comm_rank(comm, &rank);
+   StackedBodies both;
+   if (rank == 0)
+   {
+      Mesh lower = MakeSlab(options, options.lower_cells);
+      Mesh upper = MakeSlab(options, options.upper_cells);
+      Lower(lower, options.thickness);
+      Bend(upper, options.curvature_radius);
+      both = StackBodies({&lower, &upper});
+   }
    // Of a slab MFEM numbers the faces z0, y0, x1, y1, x0, z1.
-   const int above = both.boundary_offsets[1];
-   NamedMesh layers =
-      DistributeMesh(both.mesh, {{"lower", {1}}, {"upper", {2}}},
-                     {{"lower_bone", {1}},
-                      {"lower_contact", {6}},
-                      {"upper_contact", {above + 1}},
-                      {"upper_bone", {above + 6}},
-                      {"symmetry_x", {5, above + 5}},
-                      {"symmetry_y", {2, above + 2}},
-                      {"rims", {3, 4, above + 3, above + 4}}},
-                     comm);
-   if (options.refine == 0)
-   {
-      return layers;
-   }
-   auto fine = std::make_unique<ParMesh>(layers.Get());
-   for (int i = 0; i < options.refine; i++)
-   {
-      fine->UniformRefinement();
-   }
-   return NamedMesh(std::move(fine), layers.Regions(), layers.Boundaries());
+   constexpr int above = 6;
+   const NameTable regions = {{"lower", {1}}, {"upper", {2}}};
+   const NameTable boundaries = {{"lower_bone", {1}},
+                                 {"lower_contact", {6}},
+                                 {"upper_contact", {above + 1}},
+                                 {"upper_bone", {above + 6}},
+                                 {"symmetry_x", {5, above + 5}},
+                                 {"symmetry_y", {2, above + 2}},
+                                 {"rims", {3, 4, above + 3, above + 4}}};
+   std::vector<int> by_metis;
+   MeshShare share =
+      ScatterMesh(both.mesh, regions, boundaries, comm, by_metis);
+   RefineUniformly(share, options.refine);
+   return NamedMesh(std::move(share.mesh), regions, boundaries,
+                    std::move(share.serial_elements));
 }
 
 } // namespace synovia

@@ -1,5 +1,6 @@
 #include "synovia/mesh/flat_mesh.hpp"
 #include "synovia/general/error.hpp"
+#include "synovia/general/rank_zero_lists.hpp"
 #include "synovia/general/text.hpp"
 #include "synovia/mesh/element_nodes.hpp"
 
@@ -11,36 +12,10 @@ using namespace mfem;
 namespace
 {
 
-static_assert(sizeof(std::array<int, 4>) == 4 * sizeof(int),
-              "faces are sent as bytes");
-
-// For the types whose bytes may be copied. The ranks of one run are taken to
-// agree on the sizes and the order of bytes.
-template <typename T>
-void BroadcastArray(std::vector<T> &values, MPI_Comm comm)
-{
-   long long size = values.size();
-   MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, comm);
-   values.resize(size);
-   // MPI counts in int.
-   const long long most = (1 << 30) / static_cast<long long>(sizeof(T));
-   for (long long i = 0; i < size; i += most)
-   {
-      const long long count = std::min(most, size - i);
-      MPI_Bcast(values.data() + i, static_cast<int>(count * sizeof(T)),
-                MPI_BYTE, 0, comm);
-   }
-}
-
-void BroadcastNumber(int &value, MPI_Comm comm)
-{
-   MPI_Bcast(&value, 1, MPI_INT, 0, comm);
-}
-
 void BroadcastNames(NameTable &names, MPI_Comm comm)
 {
    int count = static_cast<int>(names.size());
-   BroadcastNumber(count, comm);
+   MPI_Bcast(&count, 1, MPI_INT, 0, comm);
    NameTable received;
    auto entry = names.begin();
    for (int i = 0; i < count; i++)
@@ -53,27 +28,11 @@ void BroadcastNames(NameTable &names, MPI_Comm comm)
          attributes = entry->second;
          ++entry;
       }
-      BroadcastArray(name, comm);
-      BroadcastArray(attributes, comm);
+      BroadcastList(name, comm);
+      BroadcastList(attributes, comm);
       received[std::string(name.begin(), name.end())] = attributes;
    }
    names = std::move(received);
-}
-
-void BroadcastVectors(std::map<std::string, std::vector<Point3>> &vectors,
-                      MPI_Comm comm)
-{
-   // As tables of names are sent, in the order of the names.
-   NameTable names;
-   for (const auto &entry : vectors)
-   {
-      names[entry.first];
-   }
-   BroadcastNames(names, comm);
-   for (const auto &entry : names)
-   {
-      BroadcastArray(vectors[entry.first], comm);
-   }
 }
 
 void AddElements(const FlatMesh &flat, Mesh &mesh)
@@ -145,32 +104,20 @@ void Curve(const FlatMesh &flat, Mesh &mesh)
 
 } // namespace
 
-void Broadcast(FlatMesh &mesh, MPI_Comm comm)
+void BroadcastNames(FlatMesh &mesh, MPI_Comm comm)
 {
-   BroadcastNumber(mesh.order, comm);
-   int shapes = static_cast<int>(mesh.shapes.size());
-   BroadcastNumber(shapes, comm);
-   mesh.shapes.resize(shapes);
-   for (ElementShape &shape : mesh.shapes)
-   {
-      int geometry = shape.geometry;
-      BroadcastNumber(geometry, comm);
-      shape.geometry = static_cast<Geometry::Type>(geometry);
-      BroadcastNumber(shape.order, comm);
-      BroadcastNumber(shape.nodes, comm);
-      BroadcastArray(shape.basis, comm);
-   }
-   BroadcastArray(mesh.coordinates, comm);
-   BroadcastNumber(mesh.vertices, comm);
-   BroadcastArray(mesh.element_shapes, comm);
-   BroadcastArray(mesh.element_attributes, comm);
-   BroadcastArray(mesh.element_numbers, comm);
-   BroadcastArray(mesh.element_nodes, comm);
-   BroadcastVectors(mesh.element_vectors, comm);
-   BroadcastArray(mesh.faces, comm);
-   BroadcastArray(mesh.face_attributes, comm);
    BroadcastNames(mesh.regions, comm);
    BroadcastNames(mesh.boundaries, comm);
+   NameTable vectors;
+   for (const auto &entry : mesh.element_vectors)
+   {
+      vectors[entry.first];
+   }
+   BroadcastNames(vectors, comm);
+   for (const auto &entry : vectors)
+   {
+      mesh.element_vectors[entry.first];
+   }
 }
 
 Mesh BuildMesh(const FlatMesh &flat)

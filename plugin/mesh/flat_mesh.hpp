@@ -25,7 +25,7 @@ struct ElementShape
    std::vector<double> basis;
 };
 
-/// A volume mesh in flat arrays, as it goes from rank 0 to all others.
+/// A volume mesh in flat arrays, as a file has it.
 struct FlatMesh
 {
    /// The highest order of the shapes.
@@ -54,8 +54,9 @@ struct FlatMesh
    NameTable boundaries;
 };
 
-/// Collective. Gives every rank the mesh of rank 0.
-void Broadcast(FlatMesh &mesh, MPI_Comm comm);
+/// Collective. Gives every rank the tables of names that rank 0 has, and the
+/// names of its vectors.
+void BroadcastNames(FlatMesh &mesh, MPI_Comm comm);
 
 /// The mesh for MFEM, with curved nodes if its order is above 1. Throws Error
 /// if curved elements do not fit together.

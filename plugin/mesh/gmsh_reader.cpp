@@ -3,11 +3,13 @@
 #include "synovia/mesh/contact_partitioning.hpp"
 #include "synovia/mesh/flat_mesh.hpp"
 #include "synovia/mesh/gmsh_file.hpp"
+#include "synovia/mesh/mesh_share.hpp"
 #include "synovia/mesh/named_mesh.hpp"
+#include "synovia/mesh/shape_mesh.hpp"
 #include "synovia/mesh/tangled_elements.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace synovia
 {
@@ -31,10 +33,10 @@ std::string Check(const ReadOptions &options)
    return "";
 }
 
-// Every rank holds the whole mesh before it is distributed.
+// Numbers of elements are int.
 std::string CheckSize(size_t elements, int refine)
 {
-   constexpr double most_elements = 5e7;
+   constexpr double most_elements = 2e8;
    const double refined = elements * std::pow(8.0, refine);
    return refined <= most_elements
              ? ""
@@ -42,17 +44,72 @@ std::string CheckSize(size_t elements, int refine)
                   ToText(refined) + " elements; that is too many";
 }
 
-FlatMesh ReadOnRankZero(const std::string &file, MPI_Comm comm)
+/// A mesh file as rank 0 has it; the others have the names only.
+struct FileContents
+{
+   FlatMesh flat;
+   Mesh mesh;
+};
+
+// Their elements come last, with the next numbers and no vectors.
+void AddShapesTo(FileContents &contents, const std::vector<RigidShape> &shapes)
+{
+   FlatMesh &flat = contents.flat;
+   NamedSerialMesh all =
+      AddShapes(contents.mesh, flat.regions, flat.boundaries, shapes);
+   contents.mesh = std::move(all.mesh);
+   flat.regions = std::move(all.regions);
+   flat.boundaries = std::move(all.boundaries);
+   long long number = *std::max_element(flat.element_numbers.begin(),
+                                        flat.element_numbers.end());
+   while (static_cast<int>(flat.element_numbers.size()) < contents.mesh.GetNE())
+   {
+      flat.element_numbers.push_back(++number);
+   }
+   for (auto &entry : flat.element_vectors)
+   {
+      entry.second.resize(flat.element_numbers.size(), Point3{});
+   }
+}
+
+void ReadAndBuild(const std::string &file, const ReadOptions &options,
+                  FileContents &contents)
+{
+   FlatMesh &flat = contents.flat;
+   flat = ReadGmshFile(file);
+   const std::string too_large =
+      CheckSize(flat.element_numbers.size(), options.refine);
+   if (!too_large.empty())
+   {
+      throw Error(too_large);
+   }
+   for (double &x : flat.coordinates)
+   {
+      x *= options.scale;
+   }
+   contents.mesh = BuildMesh(flat);
+   // The mesh has them.
+   flat.coordinates = {};
+   flat.element_nodes = {};
+   flat.faces = {};
+   if (!options.shapes.empty())
+   {
+      AddShapesTo(contents, options.shapes);
+   }
+}
+
+FileContents ReadOnRankZero(const std::string &file, MPI_Comm comm,
+                            const ReadOptions &options)
 {
    int rank = 0;
    MPI_Comm_rank(comm, &rank);
-   FlatMesh flat;
+   FileContents contents;
    std::string message;
    if (rank == 0)
    {
       try
       {
-         flat = ReadGmshFile(file);
+         ReadAndBuild(file, options, contents);
       }
       // The other ranks wait: whatever it is must reach them.
       catch (const std::exception &error)
@@ -61,91 +118,92 @@ FlatMesh ReadOnRankZero(const std::string &file, MPI_Comm comm)
       }
    }
    ThrowIfAny(comm, message);
-   Broadcast(flat, comm);
-   return flat;
+   BroadcastNames(contents.flat, comm);
+   return contents;
 }
 
-// The elements that this rank looks at: an equal share.
-std::vector<int> ShareOfElements(const Mesh &mesh, MPI_Comm comm)
+// Gives each element the value of the one that it is a part of.
+template <typename T>
+std::vector<T> OfOrigins(const std::vector<T> &values,
+                         const std::vector<int> &origins)
 {
-   int rank = 0;
-   int ranks = 1;
-   MPI_Comm_rank(comm, &rank);
-   MPI_Comm_size(comm, &ranks);
-   std::vector<int> share;
-   for (int i = rank; i < mesh.GetNE(); i += ranks)
+   std::vector<T> of_parts;
+   for (const int origin : origins)
    {
-      share.push_back(i);
+      of_parts.push_back(values[origin]);
    }
-   return share;
+   return of_parts;
 }
 
-// Refines each element, and finds for each of the new ones which element of the
-// file it is a part of.
-std::vector<int> Refine(Mesh &serial, int times)
+// Splits the elements of the whole mesh, on rank 0, until there is one for each
+// rank; says how often.
+int RefineForRanks(FileContents &contents, int times, int ranks)
 {
-   std::vector<int> origins(serial.GetNE());
-   std::iota(origins.begin(), origins.end(), 0);
-   for (int i = 0; i < times; i++)
+   int done = 0;
+   // RefineUniformly() says what can't be split.
+   const bool can_split = !contents.mesh.HasGeometry(Geometry::PYRAMID);
+   for (; can_split && done < times && contents.mesh.GetNE() < ranks; done++)
    {
-      serial.UniformRefinement();
-      std::vector<int> refined;
-      for (const Embedding &part : serial.GetRefinementTransforms().embeddings)
+      contents.mesh.UniformRefinement();
+      std::vector<int> origins;
+      for (const Embedding &part :
+           contents.mesh.GetRefinementTransforms().embeddings)
       {
-         refined.push_back(origins[part.parent]);
+         origins.push_back(part.parent);
       }
-      origins = std::move(refined);
-   }
-   return origins;
-}
-
-// The vectors of this rank's elements.
-std::map<std::string, ElementVectors>
-LocalVectors(const FlatMesh &flat, const std::vector<int> &origins,
-             const NamedMesh &mesh)
-{
-   std::map<std::string, ElementVectors> local;
-   for (const auto &[name, vectors] : flat.element_vectors)
-   {
-      ElementVectors &own = local[name];
-      for (const int element : mesh.SerialElements())
+      contents.flat.element_numbers =
+         OfOrigins(contents.flat.element_numbers, origins);
+      for (auto &entry : contents.flat.element_vectors)
       {
-         own.vectors.push_back(vectors[origins[element]]);
-         own.numbers.push_back(flat.element_numbers[origins[element]]);
+         entry.second = OfOrigins(entry.second, origins);
       }
    }
-   return local;
+   return done;
 }
 
 NamedMesh Read(const std::string &file, MPI_Comm comm,
                const ReadOptions &options)
 {
    ThrowIfAny(comm, Check(options));
-   FlatMesh flat = ReadOnRankZero(file, comm);
-   ThrowIfAny(comm, CheckSize(flat.element_numbers.size(), options.refine));
-   for (double &x : flat.coordinates)
-   {
-      x *= options.scale;
-   }
-   Mesh serial = BuildMesh(flat);
-   // Here, and not only in DistributeMesh(), because of gmsh's numbers.
-   ThrowIfTangled(
-      comm, serial, ShareOfElements(serial, comm),
-      [&](int element) { return flat.element_numbers[element]; }, flat.regions);
-   const std::vector<int> origins = Refine(serial, options.refine);
+   int rank = 0;
    int ranks = 1;
+   MPI_Comm_rank(comm, &rank);
    MPI_Comm_size(comm, &ranks);
-   // Too few elements are an error of DistributeMesh().
+   FileContents contents = ReadOnRankZero(file, comm, options);
+   FlatMesh &flat = contents.flat;
+   Mesh &serial = contents.mesh;
+   int refined = 0;
    std::vector<int> partitioning;
-   if (!options.contacts.empty() && serial.GetNE() >= ranks)
+   if (rank == 0)
    {
-      partitioning =
-         PartitionByContact(serial, flat.boundaries, options.contacts, ranks);
+      refined = RefineForRanks(contents, options.refine, ranks);
+      // Too few elements are an error of ScatterMesh().
+      if (!options.contacts.empty() && serial.GetNE() >= ranks)
+      {
+         partitioning = PartitionByContact(serial, flat.boundaries,
+                                           options.contacts, ranks);
+      }
    }
-   NamedMesh mesh =
-      DistributeMesh(serial, flat.regions, flat.boundaries, comm,
-                     partitioning.empty() ? nullptr : partitioning.data());
-   mesh.SetVectors(LocalVectors(flat, origins, mesh));
+   MPI_Bcast(&refined, 1, MPI_INT, 0, comm);
+   MeshShare share =
+      ScatterMesh(serial, flat.regions, flat.boundaries, comm, partitioning);
+   serial.Clear();
+   std::vector<long long> numbers =
+      ScatterByElement(flat.element_numbers, partitioning, comm);
+   ThrowIfTangled(comm, *share.mesh, numbers, flat.regions);
+   const std::vector<int> origins =
+      RefineUniformly(share, options.refine - refined);
+   numbers = OfOrigins(numbers, origins);
+   std::map<std::string, ElementVectors> vectors;
+   for (const auto &[name, values] : flat.element_vectors)
+   {
+      vectors[name].vectors =
+         OfOrigins(ScatterByElement(values, partitioning, comm), origins);
+      vectors[name].numbers = numbers;
+   }
+   NamedMesh mesh(std::move(share.mesh), flat.regions, flat.boundaries,
+                  std::move(share.serial_elements));
+   mesh.SetVectors(std::move(vectors));
    return mesh;
 }
 

@@ -26,8 +26,7 @@ real_t NodesOfElement(Element::Type type, real_t k)
 }
 } // namespace
 
-LayersEstimate EstimateLayers(const LayersOptions &options, int order,
-                              int ranks)
+LayersEstimate EstimateLayers(const LayersOptions &options, int order)
 {
    const real_t pressure_order = std::max(1, order - 1);
    const real_t split = std::pow(2.0, options.refine);
@@ -51,9 +50,8 @@ LayersEstimate EstimateLayers(const LayersOptions &options, int order,
                        NodesOfElement(options.type, pressure_order);
    // Entries of neighbors' matrices that fall together are about half.
    estimate.gigabytes =
-      1e-9 *
-      (bytes_an_element * (ranks * estimate.unsplit_elements + elements) +
-       bytes_an_entry * 0.5 * dofs * dofs * elements);
+      1e-9 * (bytes_an_element * (estimate.unsplit_elements + elements) +
+              bytes_an_entry * 0.5 * dofs * dofs * elements);
    return estimate;
 }
 

@@ -9,7 +9,7 @@ namespace synovia
 /// made; it may be too large to be computed.
 struct LayersEstimate
 {
-   /// Elements before they are split, all of them on each rank for a while.
+   /// Elements before they are split, all of them on rank 0 for a while.
    mfem::real_t unsplit_elements = 0.0;
    /// Displacements of the order asked for, and pressures.
    mfem::real_t unknowns = 0.0;
@@ -19,9 +19,7 @@ struct LayersEstimate
 };
 
 /// @param order    of the displacement, at least 1
-/// @param ranks    that share the problem
-LayersEstimate EstimateLayers(const LayersOptions &options, int order,
-                              int ranks);
+LayersEstimate EstimateLayers(const LayersOptions &options, int order);
 
 /// Collective. Throws Error if there are more elements or unknowns than can be
 /// numbered, or if the machines of all ranks lack the memory; says how many

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/general/point3.hpp"
+#include "synovia/mesh/rigid_shape.hpp"
 
 #include <map>
 #include <memory>
@@ -103,6 +104,8 @@ struct ReadOptions
    /// Where bodies will touch and contact costs as much as they do: ranks share
    /// it as evenly as the elements.
    std::vector<FacingSurfaces> contacts;
+   /// What is added to the mesh, after it has been scaled; it is split as well.
+   std::vector<RigidShape> shapes;
 };
 
 /// Reads a gmsh mesh (MSH 2.2 and 4.1, ascii and binary; tetrahedra, hexahedra,

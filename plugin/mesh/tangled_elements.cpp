@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace synovia
 {
@@ -78,10 +79,12 @@ std::vector<int> TangledElements(Mesh &mesh, const std::vector<int> &elements)
    return tangled;
 }
 
-void ThrowIfTangled(MPI_Comm comm, Mesh &mesh, const std::vector<int> &elements,
-                    const std::function<long long(int)> &number_of,
+void ThrowIfTangled(MPI_Comm comm, Mesh &mesh,
+                    const std::vector<long long> &numbers,
                     const NameTable &regions)
 {
+   std::vector<int> elements(mesh.GetNE());
+   std::iota(elements.begin(), elements.end(), 0);
    const std::vector<int> tangled = TangledElements(mesh, elements);
    const long long mine = tangled.size();
    long long count = 0;
@@ -90,11 +93,10 @@ void ThrowIfTangled(MPI_Comm comm, Mesh &mesh, const std::vector<int> &elements,
    {
       return;
    }
-   const auto before = [&](int a, int b)
-   { return number_of(a) < number_of(b); };
+   const auto before = [&](int a, int b) { return numbers[a] < numbers[b]; };
    const auto first = std::min_element(tangled.begin(), tangled.end(), before);
    const long long none = std::numeric_limits<long long>::max();
-   const long long number = mine ? number_of(*first) : none;
+   const long long number = mine ? numbers[*first] : none;
    long long lowest = none;
    MPI_Allreduce(&number, &lowest, 1, MPI_LONG_LONG, MPI_MIN, comm);
    std::string message;

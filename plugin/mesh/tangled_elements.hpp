@@ -4,7 +4,6 @@
 
 #include "synovia/mesh/named_mesh.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace synovia
@@ -16,12 +15,11 @@ std::vector<int> TangledElements(mfem::Mesh &mesh,
                                  const std::vector<int> &elements);
 
 /// Collective. Throws Error on all ranks if an element is tangled. Each rank
-/// looks at its own @a elements of @a mesh. The text gives the number of
-/// tangled elements and of the first one its number, by @a number_of, its
+/// looks at all elements of its @a mesh, which have these @a numbers. The text
+/// gives the number of tangled elements and of the first one its number, its
 /// region and its center.
 void ThrowIfTangled(MPI_Comm comm, mfem::Mesh &mesh,
-                    const std::vector<int> &elements,
-                    const std::function<long long(int)> &number_of,
+                    const std::vector<long long> &numbers,
                     const NameTable &regions);
 
 } // namespace synovia

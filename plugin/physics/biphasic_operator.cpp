@@ -1,4 +1,5 @@
 #include "synovia/physics/biphasic_operator.hpp"
+#include "synovia/contact/contact_friction.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/general/phase_timer.hpp"
 #include "synovia/general/reduce.hpp"
@@ -18,7 +19,7 @@ std::unique_ptr<BodyForm>
 MakeTimed(real_t &counter,
           const std::function<std::unique_ptr<BodyForm>()> &make_bodies)
 {
-   const PhaseTimer timer(counter);
+   const PhaseTimer timer(counter, "assembly");
    return make_bodies();
 }
 
@@ -204,6 +205,13 @@ void BiphasicOperator::BeginAnew(real_t t, const Vector &u)
    conditions.SetOrigins(t, u);
    equations.Ties().SetOrigins(t, poses);
    ForgetRate();
+   for (ContactPair *pair : pairs)
+   {
+      if (ContactFriction *friction = pair->Enforcement().Friction())
+      {
+         friction->SetOrigin(u);
+      }
+   }
    AcceptStep();
 }
 
@@ -237,6 +245,15 @@ void BiphasicOperator::Archive(StateArchive &archive)
       {
          archive.Number("rigid_body." + ties.Name(b) + "." + std::to_string(i),
                         accepted.poses[b][i]);
+      }
+   }
+   for (int j = 0; j < ties.Joints(); j++)
+   {
+      for (int i = 0; i < 6; i++)
+      {
+         archive.Number("joint." + equations.Joints().Name(j) + ".drive." +
+                           std::to_string(i),
+                        accepted.poses[ties.DriveOf(j)][i]);
       }
    }
    ties.Archive(archive);

@@ -1,10 +1,12 @@
 #include "synovia/physics/biphasic_problem.hpp"
+#include "synovia/fem/dry_pressures.hpp"
 #include "synovia/fem/law_checks.hpp"
 #include "synovia/fem/linear_body_form.hpp"
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
+#include "synovia/mesh/region_boundaries.hpp"
 
 #include <algorithm>
 
@@ -34,6 +36,14 @@ void BiphasicProblem::SetMaterial(const std::string &region,
 }
 
 void BiphasicProblem::SetMaterial(const std::string &region,
+                                  const SolidLaw &solid)
+{
+   Material material;
+   material.solid = &solid;
+   SetMaterial(region, material);
+}
+
+void BiphasicProblem::SetMaterial(const std::string &region,
                                   const Material &material)
 {
    VerifyOpen();
@@ -45,6 +55,48 @@ void BiphasicProblem::SetMaterial(const std::string &region,
                   std::to_string(spaces.Order()) + " don't need it");
    }
    materials.Set(mesh.Region(region), material);
+}
+
+void BiphasicProblem::SetAcceleration(
+   const std::array<LoadCurve, 3> &acceleration_)
+{
+   VerifyOpen();
+   acceleration = acceleration_;
+}
+
+Point3 BiphasicProblem::Acceleration(real_t t) const
+{
+   Point3 now{{0.0, 0.0, 0.0}};
+   for (int d = 0; d < 3 && acceleration; d++)
+   {
+      now[d] = (*acceleration)[d](t);
+   }
+   return now;
+}
+
+void BiphasicProblem::AddGravity()
+{
+   if (!acceleration)
+   {
+      return;
+   }
+   if (deformation == Deformation::finite)
+   {
+      gravity =
+         std::make_unique<GravityLoads>(spaces, materials, *acceleration);
+   }
+   for (int d = 0; d < 3; d++)
+   {
+      if (deformation == Deformation::finite)
+      {
+         conditions->AddCorners((*acceleration)[d]);
+         continue;
+      }
+      Vector forces;
+      Vector inflow;
+      AssembleGravity(spaces, materials, d, forces, inflow);
+      conditions->AddLoads(forces, inflow, (*acceleration)[d]);
+   }
 }
 
 BiphasicProblem::Support &
@@ -93,6 +145,7 @@ void BiphasicProblem::PrescribePressure(const std::string &boundary,
                                         const LoadCurve &value)
 {
    VerifyOpen();
+   NeedFluid(boundary);
    conditions->PrescribePressure(mesh.Boundary(boundary), value);
 }
 
@@ -122,6 +175,7 @@ void BiphasicProblem::AddNormalFlux(const std::string &boundary,
                                     const LoadCurve &value)
 {
    VerifyOpen();
+   NeedFluid(boundary);
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
 }
 
@@ -129,6 +183,7 @@ void BiphasicProblem::AddMixtureFlux(const std::string &boundary,
                                      const LoadCurve &value)
 {
    VerifyOpen();
+   NeedFluid(boundary);
    conditions->AddMixtureFlux(mesh.Boundary(boundary), value);
 }
 
@@ -158,10 +213,33 @@ void BiphasicProblem::DriveByForce(const std::vector<std::string> &boundaries,
 
 void BiphasicProblem::AddRigidBody(const std::string &name,
                                    const std::vector<std::string> &boundaries,
-                                   const RigidBodyOptions &options)
+                                   const RigidBodyOptions &options,
+                                   const std::vector<std::string> &regions)
 {
    VerifyOpen();
-   conditions->AddRigidBody({name, Boundaries(boundaries), options});
+   RigidBody body{name, Boundaries(boundaries), options};
+   for (const std::string &region : regions)
+   {
+      const Array<int> attributes = mesh.Region(region);
+      materials.Set(attributes, Material());
+      body.regions.Append(attributes);
+   }
+   body.boundary.Append(BoundariesOnlyOf(mesh.Get(), body.regions));
+   body.boundary.Sort();
+   body.boundary.Unique();
+   conditions->AddRigidBody(body);
+}
+
+void BiphasicProblem::AddLigament(const Ligament &ligament)
+{
+   VerifyOpen();
+   conditions->AddLigament(ligament);
+}
+
+void BiphasicProblem::AddJoint(const Joint &joint)
+{
+   VerifyOpen();
+   conditions->AddJoint(joint);
 }
 
 void BiphasicProblem::AddContact(const std::string &source,
@@ -196,6 +274,30 @@ void BiphasicProblem::SetNonlinearOptions(const NonlinearOptions &options)
 {
    VerifyOpen();
    nonlinear = options;
+}
+
+void BiphasicProblem::NeedFluid(const std::string &boundary)
+{
+   with_fluid.insert(boundary);
+}
+
+void BiphasicProblem::VerifyFluid()
+{
+   const Array<int> wet =
+      BoundariesOf(mesh.Get(), materials.WithFluid(mesh.Get().attributes));
+   for (const std::string &name : with_fluid)
+   {
+      const Array<int> boundary = mesh.Boundary(name);
+      if (std::none_of(boundary.begin(), boundary.end(),
+                       [&wet](int attribute)
+                       { return wet.FindSorted(attribute) >= 0; }))
+      {
+         throw Error("a pressure or a flux of the fluid is prescribed on \"" +
+                     name +
+                     "\", but the body there has none; leave it out, or give "
+                     "its material a permeability");
+      }
+   }
 }
 
 void BiphasicProblem::VerifyMaterials()
@@ -234,7 +336,7 @@ std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
    }
    return std::make_unique<TotalLagrangianForm>(
       mesh, spaces, materials, conditions->Springs(), conditions->Followers(),
-      ElementSides::straight);
+      ElementSides::straight, gravity.get());
 }
 
 BiphasicOperator &BiphasicProblem::Operator()
@@ -242,6 +344,9 @@ BiphasicOperator &BiphasicProblem::Operator()
    if (!op)
    {
       VerifyMaterials();
+      VerifyFluid();
+      AddGravity();
+      conditions->HoldDryPressures(FindDryPressures(spaces, materials));
       std::vector<ContactPair *> borrowed;
       for (const PairSetup &setup : pair_setups)
       {
@@ -290,6 +395,34 @@ std::vector<BiphasicProblem::RigidBodyState> BiphasicProblem::RigidBodyStates()
    for (int b = 0; b < ties.Bodies(); b++)
    {
       states.push_back({ties.Name(b), poses[b], sums[b].force, sums[b].moment});
+   }
+   return states;
+}
+
+std::vector<BiphasicProblem::LigamentState> BiphasicProblem::LigamentStates()
+{
+   const Ligaments &ligaments = Operator().Equations().Ligaments();
+   std::vector<LigamentState> states;
+   for (const Ligaments::State &state : ligaments.States(Operator().Poses()))
+   {
+      const int i = static_cast<int>(states.size());
+      states.push_back({ligaments.Name(i), state.length, state.force});
+   }
+   return states;
+}
+
+std::vector<BiphasicProblem::JointState> BiphasicProblem::JointStates()
+{
+   const Joints &joints = Operator().Equations().Joints();
+   std::vector<JointState> states;
+   for (const Joints::State &state : joints.States(Operator().Poses()))
+   {
+      const int joint = static_cast<int>(states.size());
+      states.push_back({state, joints.Name(joint), {}});
+      for (int k = 0; k < 6; k++)
+      {
+         states.back().prescribed[k] = joints.IsPrescribed(joint, k);
+      }
    }
    return states;
 }

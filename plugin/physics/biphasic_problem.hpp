@@ -1,11 +1,13 @@
 #pragma once
 
+#include "synovia/fem/gravity_loads.hpp"
 #include "synovia/materials/deformation.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 #include "synovia/physics/biphasic_operator.hpp"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,9 +43,17 @@ public:
    void SetMaterial(const std::string &region, const SolidLaw &solid,
                     const PermeabilityLaw &permeability,
                     mfem::real_t solid_fraction = 0.2);
+   /// An elastic solid without fluid: others see a sealed wall in it.
+   void SetMaterial(const std::string &region, const SolidLaw &solid);
    /// The same with all that a material has. Throws Error if mean_dilatation is
    /// asked of displacements of order 2 or more.
    void SetMaterial(const std::string &region, const Material &material);
+
+   /// A force per mass on all bodies with densities, such as gravity, by
+   /// component (length / time^2).
+   void SetAcceleration(const std::array<LoadCurve, 3> &acceleration);
+   /// At a time; zero if there is none.
+   Point3 Acceleration(mfem::real_t t) const;
 
    /// All components zero.
    void FixDisplacement(const std::string &boundary);
@@ -78,10 +88,19 @@ public:
    void DriveByForce(const std::vector<std::string> &boundaries,
                      const mfem::Vector &direction, const LoadCurve &force);
    /// Ties boundaries to a rigid body, which moves them exactly, by rotations
-   /// of any size in finite deformation.
+   /// of any size in finite deformation; @a regions are parts of it, and have
+   /// no material.
    void AddRigidBody(const std::string &name,
                      const std::vector<std::string> &boundaries,
-                     const RigidBodyOptions &options);
+                     const RigidBodyOptions &options,
+                     const std::vector<std::string> &regions = {});
+   /// Joins two rigid bodies, or one and space, which must have been added
+   /// before.
+   void AddLigament(const Ligament &ligament);
+   /// Reports how two rigid bodies, or one and space, are placed beside each
+   /// other, and drives what the joint prescribes of it; they must have been
+   /// added before.
+   void AddJoint(const Joint &joint);
    /// Outward relative flux (length / time), per current area in finite
    /// deformation.
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
@@ -110,6 +129,10 @@ public:
    /// in one of its elements (see VerifyLaws()). Collective.
    void VerifyMaterials();
 
+   /// Throws Error if a pressure or a flux is prescribed on a boundary behind
+   /// which no region has fluid. Every region must have a material. Collective.
+   void VerifyFluid();
+
    /// Assembled at the first call, after VerifyMaterials().
    BiphasicOperator &Operator();
 
@@ -135,19 +158,42 @@ public:
    {
       std::string name;
       RigidPose pose{};
-      /// What loads, springs and supports exert on the body, and it on what is
-      /// tied to it (force, force x length); the moment is about the reference
-      /// point, where that is now.
+      /// What loads, springs, ligaments and supports exert on the body, and it
+      /// on what is tied to it (force, force x length); the moment is about the
+      /// reference point, where that is now.
       Point3 force{};
       Point3 moment{};
    };
    /// In the order in which they were added.
    std::vector<RigidBodyState> RigidBodyStates();
 
+   /// A ligament at the last stage.
+   struct LigamentState
+   {
+      std::string name;
+      mfem::real_t length = 0.0;
+      /// Tension positive (force).
+      mfem::real_t force = 0.0;
+   };
+   /// In the order in which they were added.
+   std::vector<LigamentState> LigamentStates();
+
+   /// A joint at the last stage.
+   struct JointState : Joints::State
+   {
+      std::string name;
+      std::array<bool, 6> prescribed{};
+   };
+   /// In the order in which they were added.
+   std::vector<JointState> JointStates();
+
 private:
    mfem::Array<int> Boundaries(const std::vector<std::string> &names) const;
    Support &SupportOf(const std::string &boundary);
    void VerifyOpen() const;
+   /// Remembers a boundary that must have fluid behind it.
+   void NeedFluid(const std::string &boundary);
+   void AddGravity();
    std::unique_ptr<BodyForm> MakeBodies();
 
    NamedMesh &mesh;
@@ -167,6 +213,10 @@ private:
    NonlinearOptions nonlinear;
    std::vector<Support> supports;
    std::vector<std::string> spring_names;
+   std::set<std::string> with_fluid;
+   std::optional<std::array<LoadCurve, 3>> acceleration;
+   /// In finite deformation.
+   std::unique_ptr<GravityLoads> gravity;
    std::unique_ptr<BiphasicOperator> op;
 };
 

@@ -99,7 +99,7 @@ bool Approach::Holds(int body, const Point3 &along) const
    for (const RigidBody &rigid : conditions.RigidBodies())
    {
       if (bodies[body].Touches(rigid.boundary) &&
-          synovia::Holds(rigid.options, along))
+          synovia::Holds(conditions, rigid, along))
       {
          return true;
       }
@@ -348,8 +348,7 @@ FirstApproach MakeFirstApproach(const std::vector<Body> &bodies,
                                 const std::vector<ContactPair *> &pairs)
 {
    std::vector<DrivenSurface> pushing = conditions.DrivenSurfaces();
-   const std::vector<DrivenSurface> rigid =
-      FindRigidResultants(conditions.RigidBodies());
+   const std::vector<DrivenSurface> rigid = FindRigidResultants(conditions);
    pushing.insert(pushing.end(), rigid.begin(), rigid.end());
    Approach approach(bodies, spaces, conditions, pairs, !pushing.empty());
    for (const DrivenSurface &surface : pushing)

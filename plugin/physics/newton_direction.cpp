@@ -45,7 +45,7 @@ void NewtonDirection::Linearize(const ImplicitStage &stage)
    {
       LinearizeBodies(stage);
    }
-   const PhaseTimer timer(record.times.assembly);
+   const PhaseTimer timer(record.times.assembly, "assembly");
    if (equations.LinearizeContact(stage))
    {
       linear.TangentChanged();
@@ -55,14 +55,14 @@ void NewtonDirection::Linearize(const ImplicitStage &stage)
 
 void NewtonDirection::KeepTangent()
 {
-   const PhaseTimer timer(record.times.assembly);
+   const PhaseTimer timer(record.times.assembly, "assembly");
    equations.KeepContactTangent();
    linear.TangentChanged();
 }
 
 void NewtonDirection::LinearizeBodies(const BodyStage &stage)
 {
-   const PhaseTimer timer(record.times.assembly);
+   const PhaseTimer timer(record.times.assembly, "assembly");
    if (equations.LinearizeBodies(stage))
    {
       record.work.assemblies++;
@@ -75,6 +75,7 @@ bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
                             BlockVector &step)
 {
    SolveReport &report = record.report;
+   const ProfiledPhase phase("iteration");
    StopWatch watch;
    watch.Start();
    const BiphasicLinearSolver::Result result =
@@ -102,7 +103,8 @@ bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
 
 bool NewtonDirection::FailSolve(const std::string &reason)
 {
-   const std::string loose = freedoms.Validate(pairs, 0.0);
+   const std::string loose =
+      freedoms.Validate(pairs, 0.0, equations.ResistingLigaments());
    return record.report.Fail(loose.empty() ? reason
                                            : loose + " (" + reason + ")");
 }
@@ -116,7 +118,8 @@ bool NewtonDirection::Escapes(const Vector &step)
    const Vector amounts = ties.Gather(step);
    for (int k = 0; k < amounts.Size(); k++)
    {
-      if (!(std::abs(amounts[k]) <= away * extent))
+      if (ties.IsFreedom(ties.Slots()[k]) &&
+          !(std::abs(amounts[k]) <= away * extent))
       {
          FailSolve("the loads on the rigid body \"" +
                    ties.Name(ties.Slots()[k].body) + "\" would move it by " +

@@ -18,6 +18,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    TangentRenewal renewal(tuning);
    int searches = 0;
    set_changed = false;
+   has_stepped = false;
    bool evaluated = false;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
@@ -75,6 +76,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       {
          return false;
       }
+      has_stepped = true;
       set_changed = contact.Update(stage, ContactStiffness::bodies);
       evaluated = !set_changed;
       if (set_changed)
@@ -109,7 +111,8 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
                                        ResidualTolerance &tolerance)
 {
    // Where the balance is this good, and the set rests, so is what is known of
-   // the fluid.
+   // the fluid, but not before anything has moved: what a rigid partner presses
+   // is in balance until then.
    constexpr real_t known = 1e4;
    real_t norm = Assess(stage, ContactStiffness::none, tolerance);
    if (norm <= 1.0 && stage.from_start)
@@ -118,7 +121,7 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
       EvaluateBodies(stage);
       norm = Assess(stage, ContactStiffness::none, tolerance);
    }
-   if (norm <= known && !set_changed && !stage.from_start &&
+   if (has_stepped && norm <= known && !set_changed && !stage.from_start &&
        rule.Tighten(mass_imbalance, tolerance))
    {
       norm = linear.Norm(residual, tolerance);
@@ -138,9 +141,10 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
          pair->FindMultiplierStep(displacement, step.GetBlock(1)));
    }
    // From the stage's start the step and the supports' increments go together,
-   // and what there was is no measure for what there will be.
+   // and what there was is no measure for what there will be; nor is it where
+   // tractions of friction are released or caught.
    const bool from_start = stage.from_start;
-   const real_t limit = from_start
+   const real_t limit = from_start || contact.SlidingChanged()
                            ? std::numeric_limits<real_t>::infinity()
                            : Assess(stage, ContactStiffness::bodies, tolerance);
    stage.from_start = false;
@@ -181,7 +185,11 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
    equations.EvaluateContact(stage);
    EvaluateBodies(stage);
    const real_t now = Assess(stage, ContactStiffness::bodies, tolerance);
-   if (now <= std::max(tuning.residual_floor, tuning.residual_growth * norm))
+   // What slides goes farther than the bodies' own increments.
+   constexpr real_t sliding = 10.0;
+   const real_t growth =
+      tuning.residual_growth * (contact.HasFriction() ? sliding : 1.0);
+   if (now <= std::max(tuning.residual_floor, growth * norm))
    {
       return "";
    }

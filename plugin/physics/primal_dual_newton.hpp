@@ -58,6 +58,8 @@ private:
    mfem::Vector mass_imbalance;
    mfem::BlockVector residual{spaces.Offsets()};
    mfem::BlockVector step{spaces.Offsets()};
+   /// Whether any step was taken in this solve.
+   bool has_stepped = false;
    /// Whether the last decision changed the active set.
    bool set_changed = false;
    /// Whether the last step was taken as a whole.

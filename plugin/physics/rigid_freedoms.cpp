@@ -1,6 +1,6 @@
 #include "synovia/physics/rigid_freedoms.hpp"
+#include "synovia/contact/contact_friction.hpp"
 #include "synovia/fem/null_space.hpp"
-#include "synovia/fem/tied_nodes.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
 
@@ -20,35 +20,6 @@ constexpr int per_body = RigidMotions::per_body;
 // Part of a motion below which it is round-off.
 constexpr real_t tiny = 1e-5;
 
-void SumOverRanks(DenseMatrix &matrix, MPI_Comm comm)
-{
-   MPI_Allreduce(MPI_IN_PLACE, matrix.Data(), matrix.Height() * matrix.Width(),
-                 MPITypeMap<real_t>::mpi_type, MPI_SUM, comm);
-}
-
-// However stiff or large its parts are.
-void AddScaled(const DenseMatrix &part, DenseMatrix &sum)
-{
-   const real_t scale = part.MaxMaxNorm();
-   if (scale > 0.0)
-   {
-      sum.Add(1.0 / scale, part);
-   }
-}
-
-// Adds s r r^T for the motions r of one body at a dof.
-void AddSquare(const RigidMotions &motions, int dof, real_t s, DenseMatrix &sum)
-{
-   const int first = per_body * motions.BodyOf(dof);
-   for (int j = 0; j < per_body; j++)
-   {
-      for (int i = 0; i < per_body; i++)
-      {
-         sum(first + i, first + j) +=
-            s * motions.At(dof, i) * motions.At(dof, j);
-      }
-   }
-}
 } // namespace
 
 RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
@@ -61,9 +32,11 @@ RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
 RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
                              RigidMotions motions_, BiphasicSpaces &spaces,
                              const BoundaryConditions &conditions)
-   : comm(spaces.GetComm()), motions(std::move(motions_))
+   : comm(spaces.GetComm()), motions(std::move(motions_)),
+     ties(motions, spaces, conditions)
 {
-   const DenseMatrix all = OfSupports(spaces, conditions);
+   others = OfSupports(spaces, conditions);
+   const DenseMatrix all = WithTies({});
    std::set<int> found;
    for (const Vector &motion : NullSpace(all))
    {
@@ -76,8 +49,24 @@ RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
       }
    }
    loose.assign(found.begin(), found.end());
+   for (const int body : loose)
+   {
+      names.push_back("\"" + bodies[body].name + "\"");
+   }
+}
+
+DenseMatrix RigidFreedoms::WithTies(const std::vector<bool> &resisting) const
+{
+   DenseMatrix sum(others);
+   ties.AddTo(resisting, sum);
+   return sum;
+}
+
+DenseMatrix RigidFreedoms::Supports(const std::vector<bool> &resisting) const
+{
+   const DenseMatrix all = WithTies(resisting);
    const int size = per_body * static_cast<int>(loose.size());
-   supports.SetSize(size);
+   DenseMatrix supports(size);
    for (int j = 0; j < size; j++)
    {
       for (int i = 0; i < size; i++)
@@ -86,10 +75,7 @@ RigidFreedoms::RigidFreedoms(const std::vector<Body> &bodies,
                               per_body * loose[j / per_body] + j % per_body);
       }
    }
-   for (const int body : loose)
-   {
-      names.push_back("\"" + bodies[body].name + "\"");
-   }
+   return supports;
 }
 
 DenseMatrix
@@ -110,10 +96,6 @@ RigidFreedoms::OfSupports(BiphasicSpaces &spaces,
    for (const DrivenSurface &surface : conditions.DrivenSurfaces())
    {
       AddScaled(OfDriven(spaces, surface), sum);
-   }
-   for (const RigidBody &body : conditions.RigidBodies())
-   {
-      AddScaled(OfTied(spaces, body), sum);
    }
    for (const SpringFoundation &springs : conditions.Springs())
    {
@@ -161,70 +143,6 @@ DenseMatrix RigidFreedoms::OfDriven(BiphasicSpaces &spaces,
    return part;
 }
 
-DenseMatrix RigidFreedoms::OfTied(BiphasicSpaces &spaces,
-                                  const RigidBody &body) const
-{
-   // u - T q with the q of free freedoms without springs that fits best.
-   const TiedNodes tied(spaces, body);
-   std::vector<int> free;
-   for (int i = 0; i < 6; i++)
-   {
-      if (body.options.IsFree(i) && body.options.stiffness[i] == 0.0)
-      {
-         free.push_back(i);
-      }
-   }
-   const int size = per_body * motions.Bodies();
-   const int freedoms = static_cast<int>(free.size());
-   DenseMatrix part(size);
-   part = 0.0;
-   DenseMatrix moved(freedoms, size);
-   moved = 0.0;
-   for (const TiedNodes::Node &node : tied.Get())
-   {
-      const int first = per_body * motions.BodyOf(node.dof);
-      for (int d = 0; d < 3; d++)
-      {
-         AddSquare(motions, node.dof + d, 1.0, part);
-         for (int k = 0; k < freedoms; k++)
-         {
-            const real_t motion = tied.Motion(free[k], node.arm)[d];
-            for (int m = 0; m < per_body; m++)
-            {
-               moved(k, first + m) += motion * motions.At(node.dof + d, m);
-            }
-         }
-      }
-   }
-   SumOverRanks(part, comm);
-   if (freedoms == 0)
-   {
-      return part;
-   }
-   SumOverRanks(moved, comm);
-   DenseMatrix normal(freedoms);
-   for (int j = 0; j < freedoms; j++)
-   {
-      for (int i = 0; i < freedoms; i++)
-      {
-         normal(i, j) = tied.Squares()(free[i], free[j]);
-      }
-   }
-   DenseMatrix fitted(freedoms, size);
-   DenseMatrixInverse(normal).Mult(moved, fitted);
-   DenseMatrix taken(size);
-   MultAtB(moved, fitted, taken);
-   // A body that goes with all that is tied to it resists only by round-off.
-   constexpr real_t round_off = 1e-12;
-   const real_t whole = part.MaxMaxNorm();
-   part -= taken;
-   if (part.MaxMaxNorm() <= round_off * whole)
-   {
-      part = 0.0;
-   }
-   return part;
-}
-
 DenseMatrix RigidFreedoms::OfSprings(const SpringFoundation &springs) const
 {
    const int bodies = motions.Bodies();
@@ -255,7 +173,7 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
 {
    // Vertices that bear next to nothing may as well bear nothing.
    constexpr real_t counts = 1e-6;
-   const int size = static_cast<int>(supports.Height());
+   const int size = per_body * static_cast<int>(loose.size());
    DenseMatrix part(size);
    part = 0.0;
    const Vector &area = pair.Constraint().Coverage().area;
@@ -269,25 +187,36 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
    {
       return part;
    }
-   std::vector<Vector> rows;
-   for (const int body : loose)
+   const auto add = [&](const HypreParMatrix &map, const auto &holds)
    {
-      for (int m = 0; m < per_body; m++)
+      std::vector<Vector> rows;
+      for (const int body : loose)
       {
-         rows.emplace_back(area.Size());
-         pair.Factors().gap->Mult(1.0, motions.Displacement(body, m), 0.0,
-                                  rows.back());
-         rows.back().HostRead();
-      }
-   }
-   for (int j = 0; j < force.Size(); j++)
-   {
-      for (int a = 0; force[j] > counts * whole && a < size; a++)
-      {
-         for (int b = 0; b < size; b++)
+         for (int m = 0; m < per_body; m++)
          {
-            part(a, b) += area[j] * rows[a][j] * rows[b][j];
+            rows.emplace_back(area.Size());
+            map.Mult(1.0, motions.Displacement(body, m), 0.0, rows.back());
+            rows.back().HostRead();
          }
+      }
+      for (int j = 0; j < force.Size(); j++)
+      {
+         for (int a = 0; force[j] > counts * whole && holds(j) && a < size; a++)
+         {
+            for (int b = 0; b < size; b++)
+            {
+               part(a, b) += area[j] * rows[a][j] * rows[b][j];
+            }
+         }
+      }
+   };
+   add(*pair.Factors().gap, [](int) { return true; });
+   if (const ContactFriction *friction = pair.Enforcement().Friction())
+   {
+      for (const auto &component : friction->Distance())
+      {
+         add(*component,
+             [&](int j) { return !pair.State().friction.vertices[j].slides; });
       }
    }
    SumOverRanks(part, comm);
@@ -297,7 +226,7 @@ DenseMatrix RigidFreedoms::OfContact(const ContactPair &pair,
 std::vector<Vector> RigidFreedoms::WithoutContact() const
 {
    std::vector<Vector> all;
-   for (const Vector &motion : NullSpace(supports))
+   for (const Vector &motion : NullSpace(Supports(ties.AllLigaments())))
    {
       all.emplace_back(per_body * motions.Bodies());
       all.back() = 0.0;
@@ -310,13 +239,14 @@ std::vector<Vector> RigidFreedoms::WithoutContact() const
 }
 
 std::string RigidFreedoms::Validate(const std::vector<ContactPair *> &pairs,
-                                    real_t least_force) const
+                                    real_t least_force,
+                                    const std::vector<bool> &resisting) const
 {
    if (HoldAll())
    {
       return "";
    }
-   DenseMatrix all(supports);
+   DenseMatrix all = Supports(resisting);
    for (const ContactPair *pair : pairs)
    {
       AddScaled(OfContact(*pair, least_force), all);
@@ -354,7 +284,8 @@ std::string RigidFreedoms::Validate(const std::vector<ContactPair *> &pairs,
              : failure +
                   "; prescribe a displacement there, hold it by springs, or "
                   "let contact press on it (contact without traction holds "
-                  "nothing)";
+                  "nothing" +
+                  (resisting.empty() ? ")" : ", nor does a slack ligament)");
 }
 
 } // namespace synovia

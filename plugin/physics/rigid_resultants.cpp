@@ -1,6 +1,8 @@
 #include "synovia/physics/rigid_resultants.hpp"
+#include "synovia/fem/joint_coordinates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace synovia
@@ -43,18 +45,56 @@ std::optional<Point3> FirstDirection(const RigidBodyOptions &body,
    }
    return std::nullopt;
 }
+
+bool Holds(const Ligament &ligament, const std::string &body,
+           const Point3 &direction)
+{
+   // Beside 1, that of one along the direction.
+   constexpr real_t across = 1e-3;
+   if (ligament.from.body != body && ligament.to.body != body)
+   {
+      return false;
+   }
+   const Point3 along = Sum(ligament.to.point, -1.0, ligament.from.point);
+   const real_t lengthens = (ligament.to.body == body ? 1.0 : -1.0) *
+                            Dot(along, direction) / Length(along);
+   return lengthens > across ||
+          (ligament.options.compression && lengthens < -across);
+}
+
+bool Holds(const Joint &joint, const std::string &body, const Point3 &direction,
+           Deformation deformation)
+{
+   constexpr real_t across = 1e-3;
+   const auto coordinates = JointCoordinates(joint, {}, {}, deformation);
+   bool holds = false;
+   for (int side = 0; side < 2; side++)
+   {
+      const bool moves =
+         (side == 0 ? joint.proximal : joint.distal).body == body;
+      for (int c = 3; moves && c < 6; c++)
+      {
+         const auto &slope = coordinates[c].first;
+         const Point3 along{
+            {slope[6 * side], slope[6 * side + 1], slope[6 * side + 2]}};
+         holds = holds || (joint.prescribed[c] &&
+                           std::abs(Dot(along, direction)) > across);
+      }
+   }
+   return holds;
+}
 } // namespace
 
 std::vector<DrivenSurface>
-FindRigidResultants(const std::vector<RigidBody> &bodies)
+FindRigidResultants(const BoundaryConditions &conditions)
 {
    std::vector<DrivenSurface> resultants;
-   for (const RigidBody &body : bodies)
+   for (const RigidBody &body : conditions.RigidBodies())
    {
       const std::vector<real_t> times = TimesOf(body.options);
       const std::optional<Point3> direction =
          FirstDirection(body.options, times);
-      if (!direction || Holds(body.options, *direction))
+      if (!direction || Holds(conditions, body, *direction))
       {
          continue;
       }
@@ -69,13 +109,23 @@ FindRigidResultants(const std::vector<RigidBody> &bodies)
    return resultants;
 }
 
-bool Holds(const RigidBodyOptions &body, const Point3 &direction)
+bool Holds(const BoundaryConditions &conditions, const RigidBody &body,
+           const Point3 &direction)
 {
-   bool holds = false;
+   const std::vector<Ligament> &ligaments = conditions.Ligaments();
+   bool holds = std::any_of(ligaments.begin(), ligaments.end(),
+                            [&](const Ligament &ligament)
+                            { return Holds(ligament, body.name, direction); });
+   for (const Joint &joint : conditions.Joints())
+   {
+      holds = holds ||
+              Holds(joint, body.name, direction, conditions.GetDeformation());
+   }
    for (int d = 0; d < 3; d++)
    {
-      holds = holds || (direction[d] != 0.0 &&
-                        (!body.IsFree(d) || body.stiffness[d] > 0.0));
+      holds = holds ||
+              (direction[d] != 0.0 &&
+               (!body.options.IsFree(d) || body.options.stiffness[d] > 0.0));
    }
    return holds;
 }

@@ -2,6 +2,7 @@
 #include "synovia/general/phase_timer.hpp"
 #include "synovia/general/reduce.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -35,7 +36,7 @@ void StageContact::Start(ImplicitStage &stage, TouchRule rule)
 
 void StageContact::Search(const ImplicitStage &stage)
 {
-   const PhaseTimer timer(record.times.search);
+   const PhaseTimer timer(record.times.search, "search");
    if (equations.SearchContact(stage))
    {
       linear.ContactMoved();
@@ -106,6 +107,20 @@ bool StageContact::CatchPushed(ImplicitStage &stage)
       caught = true;
    }
    return caught;
+}
+
+bool StageContact::SlidingChanged() const
+{
+   return std::any_of(pairs.begin(), pairs.end(),
+                      [](const ContactPair *pair)
+                      { return pair->Enforcement().SlidingChanged(); });
+}
+
+bool StageContact::HasFriction() const
+{
+   return std::any_of(pairs.begin(), pairs.end(),
+                      [](const ContactPair *pair)
+                      { return pair->State().rubs; });
 }
 
 StageContact::Violations

@@ -43,6 +43,10 @@ public:
    /// Lets pairs search anew whose points have gone to other partners, and
    /// updates them; says whether any did.
    bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness);
+   /// Whether vertices of a pair began or ceased to slide at its last update.
+   bool SlidingChanged() const;
+   /// Whether there is friction in any of the pairs.
+   bool HasFriction() const;
    Violations FindViolations(const ImplicitStage &stage) const;
 
    /// Takes the tractions over as multipliers, and raises penalties that are

@@ -1,6 +1,8 @@
 #include "synovia/physics/stage_equations.hpp"
 #include "synovia/general/reduce.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -25,20 +27,47 @@ StageEquations::StageEquations(BiphasicSpaces &spaces,
    : comm(spaces.GetComm()), conditions(conditions_), pairs(pairs_),
      bodies(std::move(bodies_)),
      ties(spaces, conditions.RigidBodies(), conditions.DisplacementDofs(),
-          conditions.GetDeformation()),
+          conditions.GetDeformation(), conditions.Joints()),
+     ligaments(ties, conditions.Ligaments()), joints(ties, conditions.Joints()),
      rigid(spaces, conditions.DrivenSurfaces(),
            United(conditions.DisplacementDofs(), ties.Dofs())),
-     tie_tangent(ties), drainage(spaces, pairs), contact(pairs.size()),
+     tie_tangent(ties, ligaments, joints), drainage(spaces, pairs),
+     contact(pairs.size()),
      jacobian(std::make_unique<BiphasicJacobian>(
         bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
         contact, rigid.Any() ? &rigid : nullptr,
         ties.Any() ? &tie_tangent : nullptr))
 {
+   ScaleDrives();
    const Array<int> held = spaces.VerticesAmong(conditions.PressureDofs());
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().SetHeldPressures(held);
    }
+}
+
+void StageEquations::ScaleDrives()
+{
+   if (ties.Joints() == 0)
+   {
+      return;
+   }
+   // How the bodies' matrices resist translations of all that is tied, the rest
+   // being held: any number of about that size will do.
+   real_t stiffness = 0.0;
+   for (int d = 0; d < 3; d++)
+   {
+      Vector motion(bodies->Tangent().stiffness->Width());
+      motion = 0.0;
+      for (const int dof : ties.Dofs())
+      {
+         motion[dof] = dof % 3 == d ? 1.0 : 0.0;
+      }
+      Vector forces(motion.Size());
+      bodies->Tangent().stiffness->Mult(motion, forces);
+      stiffness = std::max(stiffness, InnerProduct(comm, motion, forces));
+   }
+   ties.ScaleDrives(stiffness > 0.0 ? stiffness : 1.0);
 }
 
 void StageEquations::SetTimeStep(real_t dt)
@@ -87,7 +116,7 @@ void StageEquations::UpdateDrainedDofs(BodyStage &stage)
    }
    drained.Sort();
    jacobian->SetPressureDofs(drained);
-   // Drained pressures changed what there is to jump.
+   // Drained pressures changed the pressure jumps.
    EvaluateContact(stage);
 }
 
@@ -150,11 +179,13 @@ void StageEquations::MakeResidual(const ImplicitStage &stage,
    rigid.AddForces(stage.time, imbalance.GetBlock(0));
    if (ties.Any())
    {
-      const std::vector<TiedForces> sums =
+      std::vector<TiedForces> sums =
          SumForces(ties, stage.poses, imbalance.GetBlock(0));
+      ligaments.AddForces(stage.poses, sums);
       imbalance.GetBlock(0).SetSubVector(ties.Dofs(), 0.0);
-      ties.Scatter(FreedomForces(ties, stage.poses, stage.time, sums),
-                   imbalance.GetBlock(0));
+      Vector forces = FreedomForces(ties, stage.poses, stage.time, sums);
+      joints.AddForces(stage.poses, stage.time, forces);
+      ties.Scatter(forces, imbalance.GetBlock(0));
    }
    imbalance.GetBlock(1).SetSubVector(DrainedDofs(), 0.0);
    imbalance.SyncFromBlocks();
@@ -226,6 +257,7 @@ void StageEquations::LinearizeTies(const ImplicitStage &stage)
       momentum.Neg();
    }
    tie_tangent.Linearize(stage.poses, stage.time, momentum);
+   resisting = ligaments.Resisting(stage.poses);
 }
 
 void StageEquations::Add(real_t share, const BlockVector &step,

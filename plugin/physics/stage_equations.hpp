@@ -64,6 +64,10 @@ public:
    const RigidSurfaces &Rigid() const { return rigid; }
    RigidTies &Ties() { return ties; }
    const RigidTies &Ties() const { return ties; }
+   const synovia::Ligaments &Ligaments() const { return ligaments; }
+   const synovia::Joints &Joints() const { return joints; }
+   /// Whether each ligament resists, at the last LinearizeTies().
+   const std::vector<bool> &ResistingLigaments() const { return resisting; }
    /// At the last Linearize...() and Set...() of each of its parts.
    const BiphasicJacobian &Jacobian() const { return *jacobian; }
 
@@ -119,14 +123,19 @@ public:
 
 private:
    void UpdateFactors();
+   /// Scales what drives joints by how tied bodies resist.
+   void ScaleDrives();
 
    MPI_Comm comm;
    const BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
    std::unique_ptr<BodyForm> bodies;
    RigidTies ties;
+   synovia::Ligaments ligaments;
+   synovia::Joints joints;
    RigidSurfaces rigid;
    TieTangent tie_tangent;
+   std::vector<bool> resisting;
    ContactDrainage drainage;
    /// What the pairs add to the Jacobian, in their order.
    ContactTerms contact;

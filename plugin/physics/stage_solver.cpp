@@ -15,7 +15,7 @@ BiphasicLinearSolver MakeLinearSolver(const StageEquations &equations,
                                       const NonlinearOptions &options,
                                       PhaseTimes &times)
 {
-   const PhaseTimer timer(times.setup);
+   const PhaseTimer timer(times.setup, "setup");
    return BiphasicLinearSolver(equations.Jacobian(), spaces, options.linear,
                                options.tuning);
 }
@@ -59,7 +59,8 @@ bool StageSolver::Solve(ImplicitStage &stage, TouchRule touch)
    // Residuals may be forces of contact that bears nothing.
    constexpr real_t bears = 100.0;
    const std::string loose =
-      freedoms.Validate(pairs, bears * tolerance.momentum);
+      freedoms.Validate(pairs, bears * tolerance.momentum,
+                        equations.Ligaments().Resisting(stage.poses));
    if (!loose.empty())
    {
       return record.report.Fail(loose);

@@ -10,6 +10,32 @@ namespace synovia
 
 using namespace mfem;
 
+namespace
+{
+// The norm of the volumes that surfaces which supports move, such as those of
+// rigid bodies, sweep of what they press by a displacement: with no body behind
+// them nothing else tells how much of the fluid is to move.
+real_t SweptVolume(const std::vector<ContactPair *> &pairs,
+                   const Vector &displacement, MPI_Comm comm)
+{
+   real_t squares = 0.0;
+   for (const ContactPair *pair : pairs)
+   {
+      const ContactFactors factors = pair->Factors();
+      const Vector &area = pair->Constraint().Coverage().area;
+      Vector rows(factors.gap->Height());
+      factors.gap_change->Mult(displacement, rows);
+      rows.HostRead();
+      for (int j = 0; j < rows.Size(); j++)
+      {
+         const bool presses = (*factors.gap_weights)[j] > 0.0;
+         squares += presses ? std::pow(area[j] * rows[j], 2) : 0.0;
+      }
+   }
+   return std::sqrt(SumOverRanks(squares, comm));
+}
+} // namespace
+
 ToleranceRule::ToleranceRule(BiphasicSpaces &spaces_,
                              BoundaryConditions &conditions_,
                              const std::vector<ContactPair *> &pairs_,
@@ -45,8 +71,11 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    ties.Write(still.poses, still.u);
    BlockVector residual(spaces.Offsets());
    equations.ComputeResidual(still, residual);
+   Vector moved(still.u);
+   moved -= stage.u0;
    const real_t own_force = norm(residual.GetBlock(0));
-   const real_t own_volume = norm(residual.GetBlock(1));
+   const real_t own_volume =
+      std::max(norm(residual.GetBlock(1)), SweptVolume(pairs, moved, comm));
    const real_t force =
       std::max(own_force, coupled * force_per_volume * own_volume);
    const real_t volume =

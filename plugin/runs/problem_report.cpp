@@ -1,6 +1,8 @@
 #include "synovia/runs/problem_report.hpp"
 #include "synovia/checks/case_warnings.hpp"
 #include "synovia/checks/contact_hints.hpp"
+#include "synovia/checks/joint_rows.hpp"
+#include "synovia/checks/ligament_rows.hpp"
 #include "synovia/checks/region_stiffness.hpp"
 #include "synovia/checks/rigid_body_rows.hpp"
 #include "synovia/general/reduce.hpp"
@@ -35,6 +37,8 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
      surfaces(MeasureSurfaces(setup, problem.Get().Mesh())),
      rigid_bodies(
         RigidBodyRows(problem.Get().Conditions(), problem.Get().Spaces())),
+     ligaments(LigamentRows(problem.Get().Conditions())),
+     joints(JointRows(problem.Get().Conditions())),
      pairs(CheckContact(setup, problem)),
      warnings(FindWarnings(setup, problem, pairs, bodies, regions)),
      hints(FindContactHints(setup, problem, pairs, bodies, regions))
@@ -92,16 +96,18 @@ void ProblemReport::WriteRegions(std::ostream &out) const
    {
       const RegionMeasures &region = regions[i];
       const bool drains = region.gel_time > 0.0;
-      rows.push_back({region.name, std::to_string(elements[i].elements),
-                      Quantity(elements[i].volume),
-                      Quantity(elements[i].quality),
-                      Quantity(region.aggregate_modulus),
-                      Quantity(stiffness[i].least) + " to " +
-                         Quantity(stiffness[i].largest),
-                      Quantity(region.permeability),
-                      region.thickness > 0.0 ? Quantity(region.thickness) : "-",
-                      drains ? Quantity(region.drainage_length) : "-",
-                      drains ? Quantity(region.gel_time) : "-"});
+      rows.push_back(
+         {region.name, std::to_string(elements[i].elements),
+          Quantity(elements[i].volume), Quantity(elements[i].quality),
+          region.rigid ? "rigid" : Quantity(region.aggregate_modulus),
+          region.rigid ? "-"
+                       : Quantity(stiffness[i].least) + " to " +
+                            Quantity(stiffness[i].largest),
+          region.permeability > 0.0 ? Quantity(region.permeability)
+                                    : "no fluid",
+          region.thickness > 0.0 ? Quantity(region.thickness) : "-",
+          drains ? Quantity(region.drainage_length) : "-",
+          drains ? Quantity(region.gel_time) : "-"});
    }
    WriteTable(out, rows);
 }
@@ -126,13 +132,24 @@ void ProblemReport::WritePairs(std::ostream &out) const
       return;
    }
    out << "\ncontact pairs\n";
+   const bool rub = std::any_of(pairs.begin(), pairs.end(),
+                                [](const PairAtStart &pair)
+                                { return !pair.friction.empty(); });
    std::vector<std::vector<std::string>> rows{
       {"", "least gap", "gap tolerance", "search radius"}};
+   if (rub)
+   {
+      rows.front().push_back("friction");
+   }
    for (const PairAtStart &pair : pairs)
    {
       rows.push_back({pair.name, Quantity(pair.least_gap),
                       Quantity(pair.gap_tolerance),
                       Quantity(pair.search_radius)});
+      if (rub)
+      {
+         rows.back().push_back(pair.friction);
+      }
    }
    WriteTable(out, rows);
 }
@@ -149,6 +166,16 @@ void ProblemReport::Write(std::ostream &out) const
    {
       out << "\nrigid bodies\n";
       WriteTable(out, rigid_bodies);
+   }
+   if (!ligaments.empty())
+   {
+      out << "\nligaments\n";
+      WriteTable(out, ligaments);
+   }
+   if (!joints.empty())
+   {
+      out << "\njoints\n";
+      WriteTable(out, joints);
    }
    WritePairs(out);
    out << "\norder " << order << ": " << displacements << " displacements, "

@@ -50,8 +50,10 @@ private:
    std::vector<ElementMeasures> elements;
    std::vector<StiffnessRange> stiffness;
    std::vector<SurfaceMeasures> surfaces;
-   /// Of a table.
+   /// Of tables.
    std::vector<std::vector<std::string>> rigid_bodies;
+   std::vector<std::vector<std::string>> ligaments;
+   std::vector<std::vector<std::string>> joints;
    std::vector<PairAtStart> pairs;
    std::vector<std::string> warnings;
    std::vector<std::string> hints;

@@ -57,8 +57,16 @@ TimeStepper &Simulation::Stepper()
    TimeStepper &stepper = sequence.Stepper();
    if (!strains)
    {
+      Array<int> rigid;
+      for (const int region : mesh.Get().attributes)
+      {
+         if (Problem().Materials().Get(region).IsRigid())
+         {
+            rigid.Append(region);
+         }
+      }
       strains = std::make_unique<StrainMonitor>(mesh, stepper.Displacement(),
-                                                setup.space.deformation);
+                                                setup.space.deformation, rigid);
    }
    return stepper;
 }

@@ -104,7 +104,7 @@ void StepControl::Archive(StateArchive &archive)
    {
       return;
    }
-   // The limits may be others than those of the run that wrote.
+   // The limits may differ from those of the run that wrote the checkpoint.
    failures = 0;
    rejections = 0;
    if (limits.adaptive)

@@ -1,8 +1,27 @@
 # Finds an MFEM that has what Synovia needs, or says what is missing.
 #
 # MFEM_DIR, as a variable of CMake or of the environment, is the prefix of an
-# installed MFEM or the directory of its MFEMConfig.cmake.
-find_package(MFEM 4.9 CONFIG QUIET HINTS "${MFEM_DIR}")
+# installed MFEM, the directory of its MFEMConfig.cmake, or that where make built
+# it.
+include("${CMAKE_CURRENT_LIST_DIR}/SynoviaMFEMFromMake.cmake")
+set(synovia_mfem_dir "${MFEM_DIR}")
+if(NOT synovia_mfem_dir)
+  set(synovia_mfem_dir "$ENV{MFEM_DIR}")
+endif()
+# What was asked for comes before what else is installed.
+if(synovia_mfem_dir)
+  find_package(MFEM 4.9 CONFIG QUIET PATHS "${synovia_mfem_dir}"
+    NO_DEFAULT_PATH)
+endif()
+if(NOT MFEM_FOUND)
+  synovia_find_mfem_from_make("${synovia_mfem_dir}")
+  if(MFEM_FOUND)
+    # find_package() has replaced it by what it didn't find.
+    set(MFEM_DIR "${synovia_mfem_dir}" CACHE PATH "Where MFEM is" FORCE)
+  elseif(NOT synovia_mfem_dir)
+    find_package(MFEM 4.9 CONFIG QUIET)
+  endif()
+endif()
 if(NOT MFEM_FOUND)
   set(reason "")
   foreach(config version IN ZIP_LISTS MFEM_CONSIDERED_CONFIGS

@@ -1,6 +1,7 @@
 # Case files, and the scripts that make their meshes and draw their results, go
 # to share/synovia. They find each other there as they do here.
 set(synovia_data_dir ${CMAKE_INSTALL_DATADIR}/synovia)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
 
 install(DIRECTORY miniapps/cases DESTINATION ${synovia_data_dir}
   FILES_MATCHING PATTERN "*.toml" PATTERN "*.frames.toml" EXCLUDE)
@@ -28,3 +29,4 @@ install(DIRECTORY tests/reference DESTINATION ${synovia_data_dir}/tests
   FILES_MATCHING PATTERN "*.csv")
 install(FILES README.md CHANGELOG.md LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME Unspecified)

@@ -81,16 +81,20 @@ class Runner:
         self.timeout = timeout
         # Ranks may run on other machines, which see no local /tmp.
         self.directory = directory
+        # Words before the program's name, such as env with variables.
+        self.prefix: list[str] = []
 
-    def __call__(self, run: Run) -> Row:
+    def __call__(self, run: Run, *more: str) -> Row:
         """The row that the program writes, with a status: "ok" or what failed.
+        More options of the program may follow those of the run.
 
         A launcher that can't be started is an error, since no run will do.
         """
         with tempfile.TemporaryDirectory(dir=self.directory) as name:
             table = pathlib.Path(name) / "row.csv"
-            command = [*self.launcher, str(run.ranks), str(self.program),
-                       *run.arguments(), "--csv", str(table)]
+            command = [*self.launcher, str(run.ranks), *self.prefix,
+                       str(self.program), *run.arguments(), "--csv",
+                       str(table), *more]
             status, output = self._execute(command)
             row = self._row(table)
         if row is None:

@@ -35,7 +35,9 @@ LIGHT = {
         "{times = [0, 60], values = [0, -0.048]}]",
     "glenohumeral_finite.toml":
         "boundary.humeral_bone.displacement=[0, 0, "
-        "{times = [0, 10], values = [0, -0.02]}]"}
+        "{times = [0, 10], values = [0, -0.02]}]",
+    "glenohumeral_ligaments.toml":
+        "joint.shoulder.flexion={times = [10, 20], values = [0, 0.01]}"}
 
 # Other options that make a program quick; scripts/run without a case is the
 # indentation, whose pictures show what it is after 250 s.
@@ -46,6 +48,8 @@ SMALL = {
     "scaling": {"--size": "2", "--steps": "1"},
     "partial_assembly": {"--size": "2"},
     "scripts/benchmark": {"--sweep": "jump"},
+    "scripts/benchmark --audit": {"--most-ranks": "4", "--each": "4",
+                                  "--whole": "8"},
     "scripts/benchmark --tables": {"--table": "scaling", "--coarsen": "6"}}
 # Of MFEM's parser, which takes an option only once.
 LONG_NAMES = {"-s": "--steps", "-n": "--size", "-dt": "--step"}
@@ -67,6 +71,16 @@ NOT_RUN = {
         "builds all of it a second time",
     "scripts/test --tidy": "takes ten minutes",
     "sbatch scripts/benchmark.slurm": "needs a cluster",
+    "sbatch scripts/run.slurm CASE.toml --output out/case": "needs a cluster",
+    "scripts/packaging/make_deb out/packages":
+        "builds all of it a second time; test_packaging makes a package",
+    "scripts/packaging/install_deb out/packages/synovia_*.deb":
+        "would change this machine",
+    "scripts/packaging/first_run indentation": "needs the package installed",
+    "docker build -f scripts/packaging/Dockerfile -t synovia .":
+        "needs a container's tools",
+    "spack repo add scripts/packaging/spack_repo/synovia": "needs Spack",
+    "spack dev-build synovia@0.1.0": "needs Spack",
     "scripts/compare_histories ../before/build/miniapps/synovia "
     "build/miniapps/synovia": "needs a second build",
     "scripts/run_python scripts/plot_accuracy.py out/accuracy":
@@ -151,7 +165,8 @@ def options_for(program: str, arguments: list[str], folder: pathlib.Path
     if case:
         return case_options(folder / case, arguments, program == "scripts/run")
     if program in SMALL:
-        which = f"{program} --tables" if "--tables" in arguments else program
+        which = " ".join([program, *(word for word in arguments
+                                     if word in ("--audit", "--tables"))])
         return list(SMALL[which].items())
     if program in COARSE:
         return [("--size", COARSE[program])]

@@ -28,6 +28,7 @@ struct Setup
    SolverTuning tuning;
    real_t gap_tolerance = 0.0;
    real_t pressure_tolerance = ContactOptions().pressure_tolerance;
+   FrictionOptions friction;
    /// The checkpoint is written once this time is passed.
    real_t interruption = 0.0;
 };
@@ -37,6 +38,7 @@ struct Row
    real_t time = 0.0;
    Point3 force;
    real_t area = 0.0;
+   FrictionDiagnostics friction;
    /// All dofs in an order that does not depend on the ranks; on rank 0.
    std::vector<double> displacement;
    std::vector<double> pressure;
@@ -54,6 +56,7 @@ PressedBoxOptions Options(const Setup &setup)
    options.tuning = setup.tuning;
    options.gap_tolerance = setup.gap_tolerance;
    options.pressure_tolerance = setup.pressure_tolerance;
+   options.friction = setup.friction;
    return options;
 }
 
@@ -78,6 +81,7 @@ std::vector<Row> March(PressedBox &box, TimeStepper &stepper, real_t until)
       row.time = report.time;
       row.force = box.Force();
       row.area = report.contact_area;
+      row.friction = Diagnose(box.Pair()).friction;
       row.displacement =
          Gather(box, spaces.Displacement(), stepper.State().GetBlock(0));
       row.pressure =
@@ -159,6 +163,10 @@ void Compare(const std::vector<Row> &resumed, const std::vector<Row> &whole,
       CAPTURE(i, a.time, b.time);
       CHECK(a.time == Approx(b.time).epsilon(tolerance));
       CHECK(a.area == Approx(b.area).epsilon(tolerance));
+      CHECK(a.friction.dissipation ==
+            Approx(b.friction.dissipation).epsilon(tolerance).margin(1e-15));
+      CHECK(a.friction.sliding ==
+            Approx(b.friction.sliding).epsilon(tolerance));
       for (int d = 0; d < 3; d++)
       {
          CHECK(std::abs(a.force[d] - b.force[d]) <=
@@ -288,4 +296,28 @@ TEST_CASE(
    const std::string file =
       WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
    Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-10);
+}
+
+TEST_CASE("A run resumed while the box rubs equals the uninterrupted one")
+{
+   Setup setup;
+   setup.times.end = PressedBox::end;
+   setup.times.step = 10.0;
+   setup.interruption = 40.0;
+   setup.deformation = Deformation::finite;
+   setup.slide = 0.2;
+   setup.friction.coefficient = 0.1;
+   setup.tuning.newton.kept_tangent = 0.0;
+   setup.tuning.newton.largest_forcing = 1e-6;
+   setup.tuning.newton.final_accuracy = 1e-3;
+   // As above; and points that went to other faces are looked for anew whatever
+   // that changes, rather than where a bound is passed.
+   setup.tuning.contact.drift_of_tolerance = 0.0;
+   setup.tuning.contact.drift_of_gap = 0.0;
+   setup.tuning.contact.drift_of_area = 0.0;
+   const TemporaryDirectory directory;
+   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
+   const std::string file =
+      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-8);
 }

@@ -195,6 +195,25 @@ def two_columns(run: Runs) -> None:
     balanced(rows, "columns")
 
 
+def friction_plate(run: Runs) -> None:
+    rows = run(CASES / "friction_plate.toml",
+               run.mesh("boxes.py", "column_on_plate"))
+    for t, support in ((0.05, .9995902), (0.1, .9812944), (0.2, .8514861),
+                       (0.5, .4765085), (1.0, .1784818), (2.0, .0250164),
+                       (4.0, .0004903)):
+        row = at(rows, t)
+        close(row["contact.plate.friction_coefficient"],
+              0.3 * (1 - 0.96 * support), 1e-2, f"friction at {t}")
+        check(abs(row["contact.plate.fluid_load_support"] - support) <= 5e-3,
+              f"fluid load support at {t}")
+    check(all(after["contact.plate.dissipation"]
+              >= before["contact.plate.dissipation"]
+              for before, after in zip(rows, rows[1:])),
+          "friction takes energy in each step")
+    # Friction acts at either end of a gap that is within its tolerance.
+    balanced(rows, "plate", 1e-6)
+
+
 def hertz(run: Runs) -> None:
     rows = run(CASES / "hertz.toml", run.mesh("hertz.py", "--size", "1.5"))
     last = rows[-1]
@@ -299,15 +318,49 @@ def glenohumeral_finite(run: Runs) -> None:
               "time.step=0.5"))
 
 
+def glenohumeral_ligaments(run: Runs) -> None:
+    mesh = run.mesh("glenohumeral.py", "--full", "--hex", "--size", "2.5")
+    rows = run(CASES / "glenohumeral_ligaments.toml", mesh, "time.end=20",
+               "time.step=2")
+    pressed, flexed = at(rows, 10), at(rows, 20)
+    worst = max(abs(row["joint.shoulder.flexion"]
+                    - 0.01 * max(0.0, row["t"] - 10)) for row in rows)
+    check(worst < 1e-8, f"flexion is as prescribed, to {worst:.1e}")
+    for name in ("front", "back", "left", "right"):
+        close(pressed[f"ligament.{name}.force"],
+              pressed["ligament.front.force"], 1e-2,
+              f"before flexion the {name} ligament bears as much as the others")
+    check(flexed["ligament.front.force"] > 5, "the front ligament is taut, "
+          f"{flexed['ligament.front.force']:.2f} N")
+    check(flexed["ligament.back.force"] == 0, "the back ligament is slack")
+    check(flexed["joint.shoulder.flexion_moment"] > 1, "a moment of "
+          f"{flexed['joint.shoulder.flexion_moment']:.1f} N mm flexes it")
+    for row in (pressed, flexed):
+        bones = [[row[f"rigid_body.{name}.force_{axis}"] for axis in "xyz"]
+                 for name in ("scapula", "humerus")]
+        check(all(abs(a + b) < 1e-7 * abs(bones[1][2])
+                  for a, b in zip(*bones)), "the bones' forces are opposite")
+        close(row["contact.joint.source_force_z"], -bones[1][2], 1e-6,
+              "contact bears what the humerus exerts")
+    # What has slid over the edge of a face by little stays with it until the
+    # next search: forces of both sides may be 0.01 mm from one line.
+    balanced(rows, "joint", moment_tolerance=1e-2)
+    newton = sum(row["solver.newton"] for row in rows)
+    check(newton <= 9 * len(rows),
+          f"{newton / len(rows):.1f} Newton iterations a step")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         run = Runs(pathlib.Path(name))
         for case in (confined, relaxation_and_recovery, unconfined,
                      confined_finite,
-                     unconfined_finite, two_columns, hertz, indentation,
+                     unconfined_finite, two_columns, friction_plate, hertz,
+                     indentation,
                      indentation_hexahedra, indentation_finite,
                      indentation_wedge, glenohumeral, glenohumeral_hexahedra,
-                     glenohumeral_finite, meniscus_ring):
+                     glenohumeral_finite, glenohumeral_ligaments,
+                     meniscus_ring):
             case(run)
     shipped = [case for case in sorted(CASES.glob("*.toml"))
                if not case.name.endswith(".frames.toml")]

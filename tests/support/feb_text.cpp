@@ -99,6 +99,51 @@ std::string FebColumn()
 )";
 }
 
+std::string FebPressedColumn()
+{
+   std::string text = Replaced(
+      FebColumn(), "\t</Material>",
+      R"(		<material id="2" name="plate" type="rigid body">
+			<density>1</density>
+			<center_of_mass>0,0,2</center_of_mass>
+		</material>
+	</Material>)");
+   text = Replaced(text, "\t\t</Nodes>",
+                   R"(			<node id="13">-1,-1,2.1</node>
+			<node id="14">2,-1,2.1</node>
+			<node id="15">2,2,2.1</node>
+			<node id="16">-1,2,2.1</node>
+		</Nodes>)");
+   text = Replaced(text, "\t\t<NodeSet name=\"all\">",
+                   R"(		<Elements type="quad4" name="shell">
+			<elem id="3">13,14,15,16</elem>
+		</Elements>
+		<Surface name="below"><quad4 id="1">16,15,14,13</quad4></Surface>
+		<SurfacePair name="pair">
+			<primary>below</primary><secondary>top</secondary>
+		</SurfacePair>
+		<NodeSet name="all">)");
+   text = Replaced(text, "\t</MeshDomains>",
+                   R"(		<ShellDomain name="shell" mat="plate"/>
+	</MeshDomains>)");
+   // The contact says what the fluid does.
+   text = Replaced(text,
+                   "\t\t<bc name=\"drained\" node_set=\"@surface:top\" "
+                   "type=\"zero fluid pressure\"/>\n",
+                   "");
+   return Replaced(text, "\t<Loads>", R"(	<Rigid>
+		<rigid_bc type="rigid_fixed"><rb>plate</rb><Rx_dof>1</Rx_dof>
+			<Ry_dof>1</Ry_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof>
+			<Rw_dof>1</Rw_dof></rigid_bc>
+		<rigid_load type="rigid_force"><rb>plate</rb><dof>Rz</dof>
+			<value lc="1">-0.1</value></rigid_load>
+	</Rigid>
+	<Contact>
+		<contact name="press" surface_pair="pair" type="sliding-biphasic"/>
+	</Contact>
+	<Loads>)");
+}
+
 std::string Replaced(const std::string &text, const std::string &old,
                      const std::string &other)
 {

@@ -9,6 +9,10 @@ namespace synovia
 /// from the top, which drains, by a traction that steps on.
 std::string FebColumn();
 
+/// The same column under a rigid plate, a shell that touches nothing yet and is
+/// pressed down by a force.
+std::string FebPressedColumn();
+
 /// The text with the first @a old replaced, which must be in it.
 std::string Replaced(const std::string &text, const std::string &old,
                      const std::string &other);

@@ -78,6 +78,7 @@ PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
    ContactOptions contact;
    contact.gap_tolerance = options.gap_tolerance;
    contact.pressure_tolerance = options.pressure_tolerance;
+   contact.friction = options.friction;
    problem.AddContact("upper_z0", "lower_z1", contact);
    if (options.body_force)
    {

@@ -17,6 +17,7 @@ struct PressedBoxOptions
    mfem::real_t gap_tolerance = 0.0;
    /// Of pressure jumps, relative to the largest pressure.
    mfem::real_t pressure_tolerance = ContactOptions().pressure_tolerance;
+   FrictionOptions friction;
    int max_newton = 30;
    DirectOptions direct;
    SolverTuning tuning;

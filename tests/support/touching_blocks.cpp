@@ -56,6 +56,7 @@ TouchingBlocks::TouchingBlocks(const TouchingBlocksOptions &options)
    contact.search_radius = 0.5;
    contact.overlap_limit = 1.0;
    contact.configuration = options.configuration;
+   contact.friction = options.friction;
    pair = std::make_unique<ContactPair>(
       "pair", spaces, materials, mesh.Boundary("upper_z0"),
       mesh.Boundary("lower_z1"), contact, options.deformation);
@@ -93,6 +94,7 @@ void TouchingBlocks::Touch(const Vector &u, const Vector &p)
    enforcement.Evaluate(u, p);
    enforcement.UpdateActiveSet();
    enforcement.Augment();
+   enforcement.Store(0.0);
    enforcement.Evaluate(u, p);
    enforcement.UpdateActiveSet();
 }
@@ -108,6 +110,21 @@ std::array<int, 3> TouchingBlocks::Counts() const
       counts[2] += pair->Constraint().Coverage().area[j] > 0.0;
    }
    MPI_Allreduce(MPI_IN_PLACE, counts.data(), 3, MPI_INT, MPI_SUM,
+                 mesh.GetComm());
+   return counts;
+}
+
+std::array<int, 2> TouchingBlocks::Sliding() const
+{
+   std::array<int, 2> counts{{0, 0}};
+   const ContactState &state = pair->State();
+   for (int j = 0; state.rubs && j < state.traction.Size(); j++)
+   {
+      const bool slides = state.friction.vertices[j].slides;
+      counts[0] += state.vertices[j].touches && slides;
+      counts[1] += state.vertices[j].touches && !slides;
+   }
+   MPI_Allreduce(MPI_IN_PLACE, counts.data(), 2, MPI_INT, MPI_SUM,
                  mesh.GetComm());
    return counts;
 }

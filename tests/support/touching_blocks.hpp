@@ -15,6 +15,7 @@ struct TouchingBlocksOptions
    int order = 2;
    /// With curved elements and a curved interface.
    bool curved = false;
+   FrictionOptions friction;
 };
 
 /// Two blocks of meshes that do not match, the upper one tilted onto the lower
@@ -35,6 +36,9 @@ public:
    /// Vertices over all ranks: in contact, sealed, and seeing the source at
    /// all.
    std::array<int, 3> Counts() const;
+   /// Vertices over all ranks that slide, and that stick; none without
+   /// friction.
+   std::array<int, 2> Sliding() const;
 
    NamedMesh mesh;
    mutable BiphasicSpaces spaces;

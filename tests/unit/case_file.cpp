@@ -271,6 +271,16 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       {"penalty = 12.5", "penalty = 0", {"contact.0.penalty", "\"auto\""}},
       {"penalty = 12.5", "penalty = -1", {"contact.0.penalty"}},
       {"penalty = 12.5", "penalty = \"Auto\"", {"did you mean \"auto\"?"}},
+      {"penalty = 12.5",
+       "friction.coefficient = 0.1",
+       {"contact.0.friction", "physics.deformation = \"finite\""}},
+      {"penalty = 12.5",
+       "friction.coefficient = -0.1",
+       {"contact.0.friction.coefficient: found -0.1"}},
+      {"penalty = 12.5",
+       "friction.solid_fraction = 1.5",
+       {"contact.0.friction.solid_fraction: found 1.5"}},
+      {"penalty = 12.5", "friction = 0.1", {"contact.0.friction"}},
       {"quadrature_order = 6", "quadrature_order = 3", {"negative weights"}},
       {"max_newton = 7", "max_newton = 0", {"solver.max_newton: found 0"}},
       {"fields_every = 0",
@@ -484,8 +494,9 @@ TEST_CASE("The list of keys has them all", "[case]")
          "boundary.N.displacement ", "boundary.N.normal_traction ",
          "boundary.N.spring.stiffness ", "boundary.N.force.curve ",
          "rigid_body.N.rotation ", "contact.N.penalty ",
-         "contact.N.search_radius ", "time.adaptive ", "solver.linear ",
-         "output.line.N.times ", "output.checkpoint_every "})
+         "contact.N.search_radius ", "contact.N.friction.coefficient ",
+         "time.adaptive ", "solver.linear ", "output.line.N.times ",
+         "output.checkpoint_every "})
    {
       CHECK_THAT(text, Contains("\n" + std::string(key)));
    }

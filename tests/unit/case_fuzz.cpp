@@ -248,6 +248,16 @@ std::vector<Shipped> ShippedCases()
                                 {"upper_sides_x", {9, 11}},
                                 {"upper_sides_y", {8, 10}}},
                                0.3, 0.3));
+   add("friction_plate", TwoBoxes("plate", "column",
+                                  {{"plate_bottom", {1}},
+                                   {"plate_top", {6}},
+                                   {"plate_sides_x", {3, 5}},
+                                   {"plate_sides_y", {2, 4}},
+                                   {"column_bottom", {7}},
+                                   {"column_top", {12}},
+                                   {"column_sides_x", {9, 11}},
+                                   {"column_sides_y", {8, 10}}},
+                                  0.4, 0.4));
    for (const std::string name : {"indentation", "indentation_hexahedra"})
    {
       add(name, TwoBoxes("cartilage", "indenter",
@@ -271,7 +281,8 @@ std::vector<Shipped> ShippedCases()
                           {"upper_top", {12}},
                           {"upper_sides", {9, 10}}},
                          10.0, 10.0));
-   for (const std::string name : {"glenohumeral", "glenohumeral_hexahedra"})
+   for (const std::string name :
+        {"glenohumeral", "glenohumeral_hexahedra", "glenohumeral_ligaments"})
    {
       add(name, TwoBoxes("glenoid", "humeral",
                          {{"glenoid_bone", {1}},

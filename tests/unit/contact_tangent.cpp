@@ -28,11 +28,15 @@ struct Setup
    TouchingBlocksOptions blocks;
    /// Whether a force moves the upper block's top.
    bool driven = false;
+   /// Whether vertices slide or stick, with friction.
+   bool slides = false;
+   bool sticks = false;
+   real_t tolerance = difference_tolerance;
 };
 
 std::vector<Setup> Setups()
 {
-   std::vector<Setup> setups(5);
+   std::vector<Setup> setups(9);
    setups[0].name = "infinitesimal";
    setups[1].name = "infinitesimal, searched where it is";
    setups[1].blocks.configuration = SearchConfiguration::current;
@@ -42,6 +46,23 @@ std::vector<Setup> Setups()
    setups[3].blocks.curved = true;
    setups[4].name = "finite, driven";
    setups[4].driven = true;
+   setups[5].name = "finite, what slides";
+   setups[5].blocks.friction = {0.1, 0.3};
+   setups[5].slides = true;
+   setups[6].name = "finite, what sticks";
+   setups[6].blocks.friction = {1e3, 0.3};
+   setups[6].sticks = true;
+   // Forces of all that slip.
+   setups[6].tolerance = 1e-6;
+   setups[7].name = "finite, what slides or sticks, curved";
+   setups[7].blocks.curved = true;
+   setups[7].blocks.friction = {1.2, 0.3};
+   setups[7].slides = true;
+   setups[7].sticks = true;
+   setups[8].name = "finite, what slides, driven";
+   setups[8].driven = true;
+   setups[8].blocks.friction = {0.1, 0.3};
+   setups[8].slides = true;
    for (std::size_t i = 2; i < setups.size(); i++)
    {
       setups[i].blocks.deformation = Deformation::finite;
@@ -85,7 +106,7 @@ public:
                                  Vector({0.0, 0.6, -0.8}), 0.5);
       }
       const Deformation deformation = setup.blocks.deformation;
-      step = deformation == Deformation::finite ? 1e-6 : 1e-4;
+      step = deformation == Deformation::finite ? 3e-6 : 1e-4;
       pairs.push_back(blocks.pair.get());
       whole = std::make_unique<StageEquations>(
          blocks.spaces, conditions, pairs,
@@ -196,6 +217,10 @@ TEST_CASE("The Jacobian of a stage is the derivative of its residual")
    CHECK(touching > sealed);
    CHECK(covered > touching + 2);
    const bool finite = setup.blocks.deformation == Deformation::finite;
+   const auto [sliding, sticking] = slid.blocks.Sliding();
+   CAPTURE(touching, sliding, sticking);
+   CHECK((sliding > 1) == setup.slides);
+   CHECK((sticking > 1) == setup.sticks);
    CHECK(slid.blocks.pair->HasDrifted() == finite);
    CHECK(slid.blocks.pair->Factors().IsSymmetric() != finite);
    CHECK(slid.whole->Rigid().Any() == setup.driven);
@@ -227,10 +252,10 @@ TEST_CASE("The Jacobian of a stage is the derivative of its residual")
          CAPTURE(i, block);
          const real_t size = NormOf(all[i].GetBlock(block));
          CHECK(size > 0.0);
-         CHECK(NormOf(error.GetBlock(block)) <= difference_tolerance * size);
+         CHECK(NormOf(error.GetBlock(block)) <= setup.tolerance * size);
          const real_t contact_size = NormOf(contact.GetBlock(block));
          CHECK(NormOf(contact_error.GetBlock(block)) <=
-               difference_tolerance * std::max(contact_size, 1e-2 * size));
+               setup.tolerance * std::max(contact_size, 1e-2 * size));
       }
    }
    // Contact is not next to nothing beside the bodies.

@@ -183,14 +183,16 @@ Outcome Try(const std::string &text, const TemporaryDirectory &directory)
 
 TEST_CASE("Damaged models are refused or run")
 {
-   const std::string text = FebColumn();
+   const std::string texts[2] = {FebColumn(), FebPressedColumn()};
    const TemporaryDirectory directory(MPI_COMM_WORLD);
-   REQUIRE(Try(text, directory) == Outcome::taken);
+   REQUIRE(Try(texts[0], directory) == Outcome::taken);
+   REQUIRE(Try(texts[1], directory) == Outcome::taken);
    int counts[3] = {0, 0, 0};
    double longest = 0.0;
    for (int i = 0; i < Mutations(); i++)
    {
       Mutator mutate(static_cast<unsigned>(i));
+      const std::string &text = texts[i % 2];
       std::string damaged = mutate(text);
       if (i % 3 == 0)
       {

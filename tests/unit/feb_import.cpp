@@ -6,6 +6,7 @@
 #include "synovia/feb/feb_import.hpp"
 #include "support/feb_text.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/cases/case_problem.hpp"
 #include "synovia/general/error.hpp"
 
 #include <catch2/catch.hpp>
@@ -335,6 +336,49 @@ TEST_CASE("A symmetry plane holds the displacement across it")
          std::string::npos);
 }
 
+TEST_CASE("A rigid spring joins two rigid bodies")
+{
+   const auto with = [](const std::string &connector)
+   {
+      std::string text =
+         Replaced(FebColumn(), "</Material>",
+                  R"(<material id="2" name="platen" type="rigid body">
+			<density>1</density><center_of_mass>0.5,0.5,2</center_of_mass>
+		</material><material id="3" name="anvil" type="rigid body">
+			<density>1</density><center_of_mass>0.5,0.5,0</center_of_mass>
+		</material></Material>)");
+      text =
+         Replaced(text, bottom_nodes, std::string(bottom_nodes) + top_nodes);
+      text = Replaced(text, fixed_bottom,
+                      R"(<bc name="lower" node_set="bottom" type="rigid">
+			<rb>anvil</rb></bc><bc name="upper" node_set="lid" type="rigid">
+			<rb>platen</rb></bc>)");
+      text = Replaced(text, fixed_sides, "");
+      return ImportFeb(
+         Replaced(text, "<Loads>", "<Rigid>" + connector + "</Rigid><Loads>"),
+         "model.feb");
+   };
+   const FebImport import =
+      with(R"(<rigid_connector name="rope" type="rigid spring">
+			<body_a>anvil</body_a><body_b>2</body_b>
+			<insertion_a>0,0.5,0</insertion_a>
+			<insertion_b>1,0.5,2</insertion_b>
+			<free_length>1.5</free_length><k>0.25</k></rigid_connector>)");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.ligaments.size() == 1);
+   const Ligament &rope = import.setup.ligaments.front();
+   CHECK(rope.name == "rope");
+   CHECK(rope.from.body == "anvil");
+   CHECK(rope.to.body == "platen");
+   CHECK(rope.to.point == Point3{{1.0, 0.5, 2.0}});
+   CHECK(rope.options.stiffness == 0.25);
+   CHECK(rope.options.slack_length == 1.5);
+   CHECK(rope.options.compression);
+   CHECK(with("<rigid_connector type=\"rigid damper\"/>")
+            .report.Text(Fate::unsupported)
+            .find("there is \"rigid spring\"") != std::string::npos);
+}
+
 TEST_CASE("Fluid takes no time in a steady state")
 {
    const FebImport import = ImportFeb(
@@ -348,6 +392,138 @@ TEST_CASE("Fluid takes no time in a steady state")
       import.setup.materials[0].permeability;
    CHECK(permeability.parameters.at("value") == Approx(0.01e6));
    CHECK(permeability.parameters.at("M") == 1.5);
+}
+
+TEST_CASE("A rigid shell that only touches becomes a region of a rigid body")
+{
+   const FebImport import = ImportFeb(FebPressedColumn(), "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CheckCase(import.setup);
+   REQUIRE(import.setup.rigid_bodies.size() == 1);
+   const RigidBodyCase &plate = import.setup.rigid_bodies[0];
+   CHECK(plate.surfaces.empty());
+   CHECK(plate.regions == std::vector<std::string>{"shell"});
+   REQUIRE(import.setup.contacts.size() == 1);
+   // The rigid side is the source, whichever is primary.
+   CHECK(import.setup.contacts[0].source == std::vector<std::string>{"below"});
+   CHECK(import.setup.contacts[0].destination ==
+         std::vector<std::string>{"top"});
+   const TemporaryDirectory directory(MPI_COMM_WORLD);
+   const std::string file = directory.Path() + "/model.msh";
+   directory.OnRootOnly([&]() { std::ofstream(file) << import.mesh; });
+   NamedMesh mesh = ReadGmsh(file, MPI_COMM_WORLD);
+   CHECK(mesh.Get().GetGlobalNE() == 3);
+   // The shell's element is above the facet, which faces down.
+   Vector low;
+   Vector high;
+   mesh.Get().GetBoundingBox(low, high);
+   CHECK(high[2] > 2.1);
+   CaseProblem problem(import.setup, mesh);
+   CHECK_NOTHROW(problem.Get().Operator());
+}
+
+TEST_CASE("A solid without fluid is an elastic region")
+{
+   std::string text = Replaced(
+      FebColumn(), "\t</Material>",
+      R"(		<material id="2" name="bone" type="isotropic elastic">
+			<density>1</density><E>20</E><v>0.3</v>
+		</material>
+	</Material>)");
+   text = Replaced(text, "\t\t\t<elem id=\"2\">", R"(		</Elements>
+		<Elements type="hex8" name="upper">
+			<elem id="2">)");
+   text = Replaced(text, "\t</MeshDomains>",
+                   R"(		<SolidDomain name="upper" mat="tissue"/>
+	</MeshDomains>)");
+   text = Replaced(text, "name=\"body\" mat=\"tissue\"",
+                   "name=\"body\" mat=\"bone\"");
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.materials.size() == 2);
+   const MaterialCase &bone = import.setup.materials[1];
+   CHECK(bone.regions == std::vector<std::string>{"body"});
+   CHECK_FALSE(bone.HasFluid());
+   CHECK(bone.solid.model == "saint_venant_kirchhoff");
+   CHECK(bone.solid_density == 0.0);
+   CheckCase(import.setup);
+   const FebImport other =
+      ImportFeb(Replaced(text, "isotropic elastic", "multiphasic"), "a.feb");
+   CHECK(other.report.Text(Fate::unsupported)
+            .find("materials of the type \"multiphasic\" are not known") !=
+         std::string::npos);
+}
+
+TEST_CASE("Steps of a model begin where those before them end")
+{
+   const std::string control = R"(<Control>
+		<analysis>TRANSIENT</analysis>
+		<time_steps>10</time_steps>
+		<step_size>0.5</step_size>
+		<solver type="biphasic"><dtol>0.001</dtol></solver>
+	</Control>)";
+   std::string text = Replaced(FebColumn(), control, "");
+   const std::string load =
+      text.substr(text.find("\t<Loads>"),
+                  text.find("\t<LoadData>") - text.find("\t<Loads>"));
+   text = Replaced(text, load, R"(	<Step>
+		<step id="1" name="press">
+			<Control><time_steps>4</time_steps><step_size>0.25</step_size></Control>
+			<Boundary>
+				<bc name="down" node_set="@surface:top" type="prescribed displacement">
+					<dof>z</dof><value lc="1">-0.1</value><relative>0</relative>
+				</bc>
+			</Boundary>
+		</step>
+		<step id="2" name="creep">
+			<Control><time_steps>2</time_steps><step_size>1</step_size></Control>
+)" + load + "\t\t</step>\n\t</Step>\n");
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CheckCase(import.setup);
+   const CaseFile &setup = import.setup;
+   CHECK(setup.boundaries.size() == 3);
+   REQUIRE(setup.steps.size() == 2);
+   CHECK(setup.steps[0].name == "press");
+   CHECK(setup.steps[0].duration == 1.0);
+   CHECK(setup.steps[1].duration == 2.0);
+   CHECK(setup.time.stops == std::vector<real_t>{0.25, 0.5, 0.75, 1.0, 2.0});
+   REQUIRE(setup.steps[0].boundaries.size() == 1);
+   CHECK((*setup.steps[0].boundaries[0].displacement[2])(0.5) == Approx(-0.1));
+   CHECK(setup.steps[1].release ==
+         std::vector<std::string>{setup.steps[0].boundaries[0].name});
+   REQUIRE(setup.steps[1].boundaries.size() == 1);
+   // The curve goes on: its value at t = 1.5 is 2.
+   CHECK((*setup.steps[1].boundaries[0].normal_traction)(1.0) == Approx(-1.0));
+   const FebImport moved =
+      ImportFeb(Replaced(text, "\t\t</step>\n\t</Step>",
+                         "<Rigid><rigid_bc/></Rigid></step></Step>"),
+                "model.feb");
+   CHECK(moved.report.IsStopped());
+}
+
+TEST_CASE("Body loads are forces per mass the other way round")
+{
+   const std::string text =
+      Replaced(Replaced(FebColumn(), "\t<Loads>", R"(	<Loads>
+		<body_load type="const"><z lc="1">3</z></body_load>)"),
+               "<density>1</density>", "<density>2</density>");
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.acceleration);
+   CHECK((*import.setup.acceleration)[2](0.5) == Approx(-3.0));
+   CHECK((*import.setup.acceleration)[0].IsZero());
+   CHECK(import.setup.materials[0].solid_density == 2.0);
+   CHECK(import.setup.materials[0].fluid_density == 1.0);
+   CheckCase(import.setup);
+   const FebImport other = ImportFeb(
+      Replaced(text, "body_load type=\"const\"", "body_load type=\"spin\""),
+      "model.feb");
+   CHECK(other.report.Text(Fate::unsupported)
+            .find("there are body loads of the type const") !=
+         std::string::npos);
+   CHECK(ImportFeb(Replaced(text, "<density>2", "<density>-2"), "model.feb")
+            .report.IsStopped());
 }
 
 TEST_CASE("All that stops an import is listed")

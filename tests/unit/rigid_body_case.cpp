@@ -3,6 +3,7 @@
 // [[rigid_body]] in case files: what it says, what is refused and where, and
 // the columns of the history.
 
+#include "support/box_case.hpp"
 #include "support/boxes.hpp"
 #include "synovia/cases/case_problem.hpp"
 #include "synovia/general/error.hpp"
@@ -50,29 +51,6 @@ rotational_stiffness = [0, 0, 0.25]
 end = 1
 step = 1
 )";
-
-std::string Replaced(std::string text, const std::string &from,
-                     const std::string &to)
-{
-   const size_t at = text.find(from);
-   REQUIRE(at != std::string::npos);
-   return text.replace(at, from.size(), to);
-}
-
-std::string ErrorOf(const std::string &text)
-{
-   try
-   {
-      const CaseFile setup = ParseCase(text, "case.toml");
-      NamedMesh mesh = MakeBox(BoxOptions());
-      CaseProblem problem(setup, mesh);
-   }
-   catch (const Error &error)
-   {
-      return error.what();
-   }
-   return "";
-}
 
 void CheckGood(const CaseFile &setup)
 {

@@ -2,8 +2,8 @@
 //
 // The Jacobian of a stage with rigid bodies against central differences of its
 // residual: bodies that turned far, with freedoms of all kinds, under loads
-// that are dead or follow, and out of balance, so that all second derivatives
-// of the rotations count.
+// that are dead or follow, with ligaments and a driven joint, and out of
+// balance, so that all second derivatives of the rotations count.
 
 #include "support/boxes.hpp"
 #include "support/touching_blocks.hpp"
@@ -44,6 +44,8 @@ struct Held
       bottom.prescribed[3] = -0.6;
       bottom.load[4] = -0.3;
       conditions.AddRigidBody({"bottom", mesh.Boundary("z0"), bottom});
+      AddLigaments();
+      AddJoint();
       equations = std::make_unique<StageEquations>(spaces, conditions, no_pairs,
                                                    MakeBodies(finite));
 
@@ -56,7 +58,8 @@ struct Held
       stage.p0 = 0.0;
       stage.p = RandomEntries(stage.p0.Size(), 7);
       stage.poses = {{{0.2, -0.1, 0.3, 0.5, -0.4, 0.3}},
-                     {{0.1, 0.0, -0.1, 0.0, 0.2, -0.1}}};
+                     {{0.1, 0.0, -0.1, 0.0, 0.2, -0.1}},
+                     {{0.3, 0.0, -0.2, 0.0, 0.5, 0.0}}};
       ties.Prescribe(stage.time, stage.poses);
       MoveBetween(ties);
       ties.Write(stage.poses, stage.u);
@@ -67,6 +70,46 @@ struct Held
       equations->Bodies().StartStage(stage, stage.p, 2.0);
       equations->LinearizeBodies(stage);
       equations->LinearizeTies(stage);
+   }
+
+   /// In its toe region and beyond, taut and pushed together, between bodies
+   /// and from one to space.
+   void AddLigaments()
+   {
+      Ligament toe;
+      toe.from = {"top", {{1.2, 0.1, 1.1}}};
+      toe.to = {"bottom", {{-0.1, 0.3, -0.2}}};
+      toe.options.strain_stiffness = 0.4;
+      toe.options.toe_strain = 3.0;
+      toe.options.prestrain = 0.5;
+      conditions.AddLigament(toe);
+      Ligament taut;
+      taut.from = {"bottom", {{0.2, -0.4, 0.1}}};
+      taut.to = {"", {{0.9, -1.1, 0.3}}};
+      taut.options.stiffness = 0.3;
+      taut.options.prestrain = 1.0;
+      conditions.AddLigament(taut);
+      Ligament spring;
+      spring.from = {"", {{0.5, 0.4, 2.0}}};
+      spring.to = {"top", {{0.7, 0.5, 1.4}}};
+      spring.options.stiffness = 0.2;
+      spring.options.slack_length = 2.5;
+      spring.options.compression = true;
+      conditions.AddLigament(spring);
+   }
+
+   void AddJoint()
+   {
+      Joint joint;
+      joint.name = "joint";
+      joint.proximal = {
+         "top", {{0.2, 0.1, 0.8}}, {{1.0, 0.3, 0.0}}, {{0.0, 0.1, 1.0}}};
+      joint.distal = {
+         "bottom", {{0.3, 0.4, 0.1}}, {{1.0, 0.0, 0.2}}, {{0.1, 0.0, 1.0}}};
+      joint.prescribed[0] = 0.7;
+      joint.prescribed[2] = -0.1;
+      joint.prescribed[4] = 0.2;
+      conditions.AddJoint(joint);
    }
 
    /// Lets nodes follow both bodies, the more the nearer they are.
@@ -148,7 +191,12 @@ TEST_CASE("The Jacobian with rigid bodies is the derivative of the residual")
                    follows);
    const RigidTies &ties = held.equations->Ties();
    const int slots = static_cast<int>(ties.Slots().size());
-   REQUIRE(slots == 10);
+   REQUIRE(slots == 13);
+   const auto states = held.equations->Ligaments().States(held.stage.poses);
+   REQUIRE(states.size() == 3);
+   CHECK(states[0].force > 0.05);
+   CHECK(states[1].force > 0.1);
+   CHECK(states[2].force < -0.02);
    const real_t step = finite ? 1e-6 : 1e-4;
    // Each freedom alone, all else, and all together.
    for (int k = 0; k < slots + 2; k++)

@@ -96,7 +96,8 @@ class Case(Section):
         name = self["mesh.file"]
         if name is None:
             raise CaseError("mesh.file is not set")
-        return pathlib.Path(self._folder) / name
+        folder: pathlib.Path = self._folder
+        return folder / str(name)
 
     def __str__(self) -> str:
         return document(as_values(self))

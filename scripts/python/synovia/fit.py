@@ -131,7 +131,7 @@ class _Model:
 
     def residuals(self, x: np.ndarray) -> np.ndarray:
         values = self.values(x)
-        residuals = (values - self._measured) / self._scale
+        residuals: np.ndarray = (values - self._measured) / self._scale
         misfit = float(np.sqrt(np.mean(residuals**2)))
         if self._best is None or misfit < self._best[0]:
             self._best = misfit, x.copy()

@@ -41,6 +41,7 @@ class Fit:
 
     @property
     def values(self) -> dict[str, float]:
+        """Of each parameter by its name, in the units of the case."""
         return {parameter.name: parameter.outer(x)
                 for parameter, x in zip(self.parameters, self.x)}
 
@@ -66,7 +67,7 @@ class Fit:
         if sizes[-1] <= 1e-10 * sizes[0]:
             return np.full((count, count), np.inf)
         inverse = (directions.T / sizes**2) @ directions
-        return inverse * self.noise**2
+        return np.asarray(inverse * self.noise**2)
 
     @property
     def noise(self) -> float:

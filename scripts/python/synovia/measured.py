@@ -64,6 +64,7 @@ class Curve:
 
     @property
     def label(self) -> str:
+        """What it is called in texts and plots."""
         return self.name or (self.quantity if isinstance(self.quantity, str)
                              else self.quantity.__name__)
 
@@ -93,8 +94,8 @@ class Curve:
                 f"{self.t[-1]:g}, and '{result.directory}' has steps from "
                 f"{t[0]:g} to {t[-1]:g}: leave the other points out, or change "
                 "time.step or time.end")
-        return self.factor * PchipInterpolator(t, values)(
-            np.clip(self.t, t[0], t[-1]))
+        between = PchipInterpolator(t, values)
+        return self.factor * np.asarray(between(np.clip(self.t, t[0], t[-1])))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -134,4 +135,5 @@ class Parameter:
         return math.log(value) if value > 0 else -math.inf
 
     def outer(self, x: float) -> float:
+        """The value in the case, of that which the search varies."""
         return math.exp(x) if self.log else float(x)

@@ -9,19 +9,23 @@ import pathlib
 import re
 import tomllib
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 import numpy as np
 
 from synovia.errors import SynoviaError, suggestion
 
+if TYPE_CHECKING:
+    from pyvista import UnstructuredGrid
+
 
 class OutputError(SynoviaError):
     """Says which file is missing or wrong."""
 
 
-class Table(Mapping):
+class Table(Mapping[str, np.ndarray]):
     """Named columns of numbers; an unknown name is an OutputError."""
 
     def __init__(self, file: str | os.PathLike[str]):
@@ -43,7 +47,7 @@ class Table(Mapping):
             values = np.array(whole, dtype=float)
         except ValueError as error:
             raise OutputError(f"'{file}': {error}") from error
-        self._columns = dict(zip(rows[0], values.T))
+        self._columns: dict[str, np.ndarray] = dict(zip(rows[0], values.T))
 
     def __getitem__(self, name: str) -> np.ndarray:
         try:
@@ -59,7 +63,7 @@ class Table(Mapping):
         rows = len(next(iter(self._columns.values())))
         return f"Table({str(self.file)!r}): {rows} rows of {', '.join(self)}"
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
 
     def __len__(self) -> int:
@@ -91,7 +95,7 @@ class Table(Mapping):
         return {column: values[rows] for column, values in self.items()}
 
 
-def interpolate(x: float, table: Mapping, along: str, name: str) -> float:
+def interpolate(x: float, table: Mapping[str, np.ndarray], along: str, name: str) -> float:
     """A column's value where another one, in any order, is x."""
     order = np.argsort(table[along])
     if not table[along].min() <= x <= table[along].max():
@@ -140,7 +144,7 @@ class Output:
             raise OutputError(f"cannot read '{file}': {error.strerror}") \
                 from error
 
-    def case(self) -> dict:
+    def case(self) -> dict[str, Any]:
         """The keys of case.toml; empty where there is none."""
         text = self.text("case.toml")
         try:
@@ -171,7 +175,7 @@ class Output:
         """The times at which a collection was written, ascending."""
         return sorted(self._saved(name))
 
-    def fields(self, name: str, time: float):
+    def fields(self, name: str, time: float) -> UnstructuredGrid:
         """The pyvista grid of a ParaView collection at this time."""
         import pyvista
 
@@ -199,6 +203,8 @@ class Output:
         if errors:
             reason = errors[0].splitlines()[-1].strip('\t "')
             raise OutputError(f"'{file}' is damaged: {reason}")
+        if not isinstance(grid, pyvista.UnstructuredGrid):
+            raise OutputError(f"'{file}' holds no mesh of elements")
         if grid.n_cells == 0 or not np.isfinite(grid.bounds).all():
             raise OutputError(f"'{file}' holds no elements")
         return grid

@@ -58,7 +58,8 @@ def draw(grid: pyvista.UnstructuredGrid, field: str,
     grid = grid.copy(deep=False)
     grid[title] = values
     plotter = pyvista.Plotter(off_screen=True, window_size=list(SIZE))
-    plotter.set_background("white")
+    # The types of pyvista's decorators take the first argument for the plotter.
+    plotter.set_background("white")  # type: ignore[arg-type]
     bar = {"color": "black", "vertical": True, "title": "",
            "position_x": 0.8}
     shown: dict[str, Any] = {"cmap": "viridis", "ambient": 0.45,
@@ -72,7 +73,8 @@ def draw(grid: pyvista.UnstructuredGrid, field: str,
     plotter.add_mesh(surface, scalars=title, **shown)
     plotter.add_text(title, position="upper_right", font_size=12,
                      color="black")
-    plotter.view_vector((-1.0, -1.4, 0.7), viewup=(0, 0, 1))
+    plotter.view_vector((-1.0, -1.4, 0.7),  # type: ignore[arg-type]
+                        viewup=(0, 0, 1))
     plotter.enable_anti_aliasing("ssaa")
     pixels = np.asarray(plotter.screenshot(return_img=True))
     plotter.close()

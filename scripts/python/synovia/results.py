@@ -32,6 +32,7 @@ class Result:
 
     @property
     def directory(self) -> pathlib.Path:
+        """Where the run left its results."""
         return self._output.directory
 
     @property

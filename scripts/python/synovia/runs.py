@@ -72,6 +72,7 @@ class Run:
 
     @property
     def running(self) -> bool:
+        """Whether the program has not ended yet."""
         return self._process.poll() is None
 
     def stop(self) -> None:

@@ -1,0 +1,183 @@
+// ranks: 1 2 3
+//
+// Contact with a body that has no fluid: where they touch, the biphasic side is
+// sealed, or drains freely if the pair says so.
+//
+// A confined biphasic column of height h, modulus H and kappa, whose base
+// drains, is pressed at once by -P through an elastic block. It consolidates
+// with a sealed top, or drains through both ends, which is a sealed one of half
+// the height (Terzaghi): with m = (n + 1/2) pi, n >= 0, and s = H kappa t/d^2,
+// d = h or h/2,
+//
+//    largest pressure   P sum 2 (-1)^n/m exp(-m^2 s)
+//    compression        P h/H (1 - sum 2/m^2 exp(-m^2 s))
+
+#include "support/boxes.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/synovia.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+constexpr real_t kappa = 4e-3;
+constexpr real_t load = 1e-5;
+
+real_t AggregateModulus(real_t young, real_t poisson)
+{
+   return young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+}
+
+const real_t tissue = AggregateModulus(0.5, 0.1);
+const real_t block = AggregateModulus(2.0, 0.2);
+
+struct Series
+{
+   explicit Series(real_t s)
+   {
+      for (int n = 0; n < 200; n++)
+      {
+         const real_t m = (n + 0.5) * M_PI;
+         const real_t left = std::exp(-m * m * s);
+         pressure += (n % 2 == 0 ? 2.0 : -2.0) / m * left;
+         compression -= 2.0 / (m * m) * left;
+      }
+   }
+   real_t pressure = 0.0;
+   real_t compression = 1.0;
+};
+
+struct Columns
+{
+   explicit Columns(bool finite)
+      : mesh(Make()), problem(mesh, Space(finite)),
+        elastic(finite ? static_cast<const SolidLaw *>(&finite_block)
+                       : &linear_block),
+        solid(finite ? static_cast<const SolidLaw *>(&finite_tissue)
+                     : &linear_tissue)
+   {
+      problem.SetMaterial("lower", *solid, permeability);
+      problem.SetMaterial("upper", *elastic);
+      problem.FixDisplacement("lower_z0");
+      for (const std::string body : {"lower_", "upper_"})
+      {
+         for (const char *side : {"x0", "x1"})
+         {
+            problem.PrescribeDisplacement(body + side, 0, 0.0);
+         }
+         for (const char *side : {"y0", "y1"})
+         {
+            problem.PrescribeDisplacement(body + side, 1, 0.0);
+         }
+      }
+      problem.PrescribePressure("lower_z0", 0.0);
+      problem.AddNormalTraction("upper_z1", -load);
+   }
+
+   static NamedMesh Make()
+   {
+      BoxOptions lower;
+      lower.nx = lower.ny = 2;
+      lower.nz = 14;
+      lower.size_x = lower.size_y = 0.3;
+      BoxOptions upper(lower);
+      upper.nx = upper.ny = 3;
+      upper.nz = 2;
+      upper.size_z = 0.5;
+      return MakeStack(lower, upper);
+   }
+
+   static SpaceOptions Space(bool finite)
+   {
+      SpaceOptions space;
+      space.deformation =
+         finite ? Deformation::finite : Deformation::infinitesimal;
+      return space;
+   }
+
+   NamedMesh mesh;
+   BiphasicProblem problem;
+   const IsotropicElastic linear_block{2.0, 0.2};
+   const IsotropicElastic linear_tissue{0.5, 0.1};
+   const NeoHookean finite_block{2.0, 0.2};
+   const NeoHookean finite_tissue{0.5, 0.1};
+   const ConstantPermeability permeability{kappa};
+   const SolidLaw *elastic;
+   const SolidLaw *solid;
+};
+
+real_t Largest(const Vector &x)
+{
+   return MaxOverRanks(x.Size() > 0 ? x.Normlinf() : 0.0, MPI_COMM_WORLD);
+}
+} // namespace
+
+TEST_CASE("A column under an elastic block drains as its pair says")
+{
+   const bool finite = GENERATE(false, true);
+   const bool drains = GENERATE(false, true);
+   const bool block_is_source = GENERATE(true, false);
+   CAPTURE(finite, drains, block_is_source);
+   Columns columns(finite);
+   ContactOptions contact;
+   contact.dry_partner =
+      drains ? DryPartner::draining : DryPartner::impermeable;
+   if (block_is_source)
+   {
+      columns.problem.AddContact("upper_z0", "lower_z1", contact);
+   }
+   else
+   {
+      columns.problem.AddContact("lower_z1", "upper_z0", contact);
+   }
+   const real_t path = drains ? 0.5 : 1.0;
+   const real_t unit = path * path / (tissue * kappa);
+   TimeOptions times;
+   times.scheme = TimeScheme::sdirk33;
+   times.step = 0.02 * unit;
+   times.end = 20 * times.step;
+   times.cut_back = false;
+   TimeStepper stepper(columns.problem, times);
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      const real_t s = report.time / unit;
+      CAPTURE(s);
+      const ContactDiagnostics pair =
+         Diagnose(*columns.problem.Operator().Pairs().front());
+      CHECK(pair.fluid_exchange == 0.0);
+      // What the jump of the load made has gone by then.
+      if (s < 0.2)
+      {
+         continue;
+      }
+      const Series series(s);
+      CHECK(Largest(stepper.State().GetBlock(1)) ==
+            Approx(load * series.pressure).epsilon(3e-3));
+      CHECK(Largest(stepper.State().GetBlock(0)) ==
+            Approx(load * (0.5 / block + series.compression / tissue))
+               .epsilon(3e-3));
+      CHECK(pair.fluid_load_support ==
+            Approx(drains ? 0.0 : series.pressure).margin(3e-3));
+      CHECK(pair.peak_pressure ==
+            Approx(drains ? 0.0 : load * series.pressure).margin(3e-3 * load));
+   }
+}
+
+TEST_CASE("A side of a pair has fluid, or it has none")
+{
+   Columns columns(false);
+   columns.problem.AddContact(std::vector<std::string>{"upper_z0", "lower_x0"},
+                              std::vector<std::string>{"lower_z1"},
+                              ContactOptions(), "mixed");
+   CHECK_THROWS_WITH(columns.problem.Operator(),
+                     Catch::Contains("contact pair \"mixed\": some of the "
+                                     "regions of its source have fluid"));
+}

@@ -1,0 +1,145 @@
+// ranks: 1 2 3
+// timeout: 300
+//
+// Confined creep of a column whose sealed end slides on a plate, with Coulomb's
+// friction on the share of the load that the solid bears (Zimmerman & Ateshian,
+// J Biomech Eng 144(6):061006, 2022). Nothing moves the column's points across,
+// so that the pressure p(t) at its end is that of confined creep, and
+//
+//     mu_eff = mu_eq [1 - (1 - phi) p/P].
+//
+// p/P and the displacement u of the loaded end are from a one-dimensional
+// solution with another program. The plate's points are all prescribed, so that
+// it holds no more fluid than at first: rigid and, as a whole, impermeable. It
+// slides by a small part of its size, lest it drains where the column doesn't
+// cover it.
+
+#include "support/boxes.hpp"
+#include "synovia/contact/contact_diagnostics.hpp"
+#include "synovia/materials/permeabilities/constant_permeability.hpp"
+#include "synovia/materials/permeabilities/holmes_mow_permeability.hpp"
+#include "synovia/materials/solids/holmes_mow.hpp"
+#include "synovia/materials/solids/neo_hookean.hpp"
+#include "synovia/synovia.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+constexpr real_t load = 0.1;
+constexpr real_t ramp = 0.05;
+constexpr real_t mu = 0.3;
+constexpr real_t phi = 0.04;
+// Of the sliding (length / time).
+constexpr real_t speed = 0.002;
+
+struct Reference
+{
+   real_t time;
+   real_t pressure;
+   real_t displacement;
+};
+const std::vector<Reference> references{
+   {0.05, 0.9995902, 0.0151934}, {0.1, 0.9812944, 0.0272243},
+   {0.2, 0.8514861, 0.0415165},  {0.5, 0.4765085, 0.0663320},
+   {1.0, 0.1784818, 0.0842089},  {2.0, 0.0250164, 0.0930211},
+   {4.0, 0.0004903, 0.0944053}};
+} // namespace
+
+TEST_CASE("Fluid that bears the load does not rub")
+{
+   BoxOptions plate;
+   plate.nx = 3;
+   plate.ny = 3;
+   plate.nz = 1;
+   plate.size_x = 0.4;
+   plate.size_y = 0.4;
+   plate.size_z = 0.1;
+   BoxOptions column;
+   column.nx = 2;
+   column.ny = 2;
+   column.nz = 16;
+   column.size_x = 0.4;
+   column.size_y = 0.4;
+   column.grading = 1.5;
+   NamedMesh mesh = MakeStack(plate, column);
+   const HolmesMow solid(1.0, 0.0, 0.35);
+   const HolmesMowPermeability fluid(1.0, 2.2, 2.0, 0.2);
+   const NeoHookean stiff(1.0, 0.0);
+   const ConstantPermeability tight(1.0e-2);
+   SpaceOptions space;
+   space.deformation = Deformation::finite;
+   BiphasicProblem problem(mesh, space);
+   problem.SetMaterial("lower", stiff, tight);
+   problem.SetMaterial("upper", solid, fluid);
+   const real_t angle = GENERATE(0.0, 0.7);
+   for (const std::string side : {"x0", "x1", "y0", "y1", "z0", "z1"})
+   {
+      const real_t way = 4.0 * speed;
+      problem.PrescribeDisplacement("lower_" + side, 0,
+                                    Ramp(4.0, way * std::cos(angle)));
+      problem.PrescribeDisplacement("lower_" + side, 1,
+                                    Ramp(4.0, way * std::sin(angle)));
+      problem.PrescribeDisplacement("lower_" + side, 2, 0.0);
+   }
+   for (const std::string side : {"x0", "x1", "y0", "y1", "z0", "z1"})
+   {
+      problem.PrescribeDisplacement("upper_" + side, 0, 0.0);
+      problem.PrescribeDisplacement("upper_" + side, 1, 0.0);
+   }
+   problem.PrescribePressure("upper_z1", 0.0);
+   problem.AddTraction("upper_z1", Vector({0.0, 0.0, -1.0}), Ramp(ramp, load));
+   ContactOptions contact;
+   contact.friction = {mu, phi};
+   problem.AddContact("lower_z1", "upper_z0", contact);
+   TimeOptions times;
+   times.end = 4.0;
+   times.step = ramp / 10.0;
+   times.adaptive = true;
+   times.error_tolerance = 5e-4;
+   times.scheme = TimeScheme::sdirk33;
+   for (const Reference &at : references)
+   {
+      times.stops.push_back(at.time);
+   }
+   TimeStepper stepper(problem, times);
+   auto next = references.begin();
+   int most_newton = 0;
+   real_t dissipation = 0.0;
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      most_newton = std::max(most_newton, report.solve.newton / 3);
+      const ContactDiagnostics now =
+         Diagnose(*problem.Operator().Pairs().front());
+      CHECK(now.friction.dissipation >= dissipation);
+      dissipation = now.friction.dissipation;
+      if (std::abs(stepper.Time() - next->time) > 1e-9)
+      {
+         continue;
+      }
+      CAPTURE(next->time, now.fluid_load_support, now.friction.sliding);
+      const real_t expected = mu * (1.0 - (1.0 - phi) * next->pressure);
+      CHECK(now.friction.coefficient == Approx(expected).epsilon(0.01));
+      const real_t force = now.friction.coefficient * load * 0.4 * 0.4;
+      // On the column, along the plate's motion; its rim is not quite covered.
+      CHECK(std::abs(now.friction.force[0] - force * std::cos(angle)) <=
+            2e-3 * force);
+      CHECK(std::abs(now.friction.force[1] - force * std::sin(angle)) <=
+            2e-3 * force);
+      CHECK(now.friction.sliding == 1.0);
+      next++;
+   }
+   CHECK(next == references.end());
+   CHECK(most_newton <= 9);
+   INFO(stepper.Steps());
+}
