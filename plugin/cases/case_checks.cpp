@@ -18,9 +18,6 @@ using namespace mfem;
 
 namespace
 {
-// More steps than anybody waits for: a slip of the pen in step or end.
-constexpr real_t most_steps = 1e7;
-
 // The position of an axis must be given once.
 void CheckAxis(const FrameCase &frame, const std::string &path,
                CaseReading &reading)
@@ -341,24 +338,6 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
    }
 }
 
-void CheckTimes(const CaseFile &setup, CaseReading &reading)
-{
-   const TimeOptions &time = setup.time;
-   const real_t steps =
-      time.end > 0.0 && time.step > 0.0 ? time.end / time.step : 0.0;
-   reading.Require(steps <= most_steps || !setup.steps.empty(), "time.step",
-                   "the end time of " + ToText(time.end) + " would take " +
-                      ToText(steps) + " steps; that is too many");
-   reading.Require(!(time.min_step > time.step), "time.min_step",
-                   "found " + ToText(time.min_step) +
-                      "; it must not be above the time step, " +
-                      ToText(time.step));
-   reading.Require(
-      !(time.max_step > 0.0 && time.max_step < time.step), "time.max_step",
-      "found " + ToText(time.max_step) +
-         "; it must be at least the time step, " + ToText(time.step));
-}
-
 void CheckBoundaryNames(const CaseFile &setup, CaseReading &reading)
 {
    Once names(reading);
@@ -446,7 +425,8 @@ void CheckConsistency(const CaseFile &setup, CaseReading &reading)
    CheckBoundaryNames(setup, reading);
    CheckConditions(setup, reading);
    CheckConnections(setup, reading);
-   CheckTimes(setup, reading);
+   CheckStepLengths(setup.steps.empty() ? setup.time.end : 0.0, "end time",
+                    setup.time, "time", reading);
    CheckSteps(setup, reading);
    CheckOutput(setup, reading);
 }

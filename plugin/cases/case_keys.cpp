@@ -1,6 +1,7 @@
 #include "synovia/cases/case_keys.hpp"
 #include "synovia/cases/condition_keys.hpp"
 #include "synovia/cases/connection_keys.hpp"
+#include "synovia/cases/key_names.hpp"
 #include "synovia/cases/law_keys.hpp"
 #include "synovia/cases/tuning_keys.hpp"
 
@@ -15,9 +16,6 @@ namespace
 constexpr int most_refinements = 6;
 constexpr int highest_order = 8;
 constexpr int most_points = 100000;
-
-const char *const length = "length";
-const char *const time_unit = "time";
 
 KeyTable MeshKeys(MeshCase &mesh)
 {
@@ -79,7 +77,8 @@ KeyTable FrameKeysOf(FrameType type, FrameCase &frame)
    case FrameType::cylindrical:
       keys.Value("axis", frame.axis, "",
                  "direction of the axis, about which fibers run");
-      keys.Value("origin", frame.origin, length, "point on the axis");
+      keys.Value("origin", frame.origin, quantities::length,
+                 "point on the axis");
       keys.Value("between", frame.between, "",
                  "instead of the origin: it is midway between the centers of "
                  "these surfaces");
@@ -158,11 +157,11 @@ KeyTable MaterialKeys(MaterialCase &material)
 KeyTable TimeKeys(TimeOptions &time, bool has_steps)
 {
    KeyTable keys;
-   CaseKey &end = keys.Value("end", time.end, time_unit,
+   CaseKey &end = keys.Value("end", time.end, quantities::time,
                              "when the run ends; with steps, when they do");
    end.Positive().Named("the end time");
    end.required = !has_steps;
-   keys.Value("step", time.step, time_unit, "length of the steps")
+   keys.Value("step", time.step, quantities::time, "length of the steps")
       .Required()
       .Positive()
       .Named("the time step");
@@ -176,11 +175,11 @@ KeyTable TimeKeys(TimeOptions &time, bool has_steps)
       .Inside(0.0, 1.0);
    keys.Value("cut_back", time.cut_back, "",
               "whether a step that fails is tried again with half the length");
-   keys.Auto("min_step", time.min_step, time_unit,
+   keys.Auto("min_step", time.min_step, quantities::time,
              "length below which no step is cut; step / 1000");
-   keys.Auto("max_step", time.max_step, time_unit,
+   keys.Auto("max_step", time.max_step, quantities::time,
              "longest adaptive step; end / 10, or step if that is longer");
-   keys.Value("stops", time.stops, time_unit,
+   keys.Value("stops", time.stops, quantities::time,
               "times at which a step shall end, besides the points of curves; "
               "they matter between 0 and the end");
    return keys;
@@ -191,19 +190,19 @@ KeyTable StepKeys(StepCase &step)
    KeyTable keys;
    keys.Value("name", step.name, "", "of the step in log and checkpoints")
       .Required();
-   keys.Value("duration", step.duration, time_unit, "how long it lasts")
+   keys.Value("duration", step.duration, quantities::time, "how long it lasts")
       .Required()
       .Positive()
       .Named("the duration");
-   keys.Auto("step", step.step, time_unit,
+   keys.Auto("step", step.step, quantities::time,
              "length of its time steps; as time.step");
    keys.Value("adaptive", step.adaptive, "",
               "whether their length follows from the error; as time.adaptive "
               "if left out");
-   keys.Auto("min_step", step.min_step, time_unit,
+   keys.Auto("min_step", step.min_step, quantities::time,
              "length below which none is cut; as time.min_step, or a "
              "thousandth of its own step");
-   keys.Auto("max_step", step.max_step, time_unit,
+   keys.Auto("max_step", step.max_step, quantities::time,
              "longest adaptive one; a tenth of the duration, or step if that "
              "is longer");
    keys.Value(
@@ -273,13 +272,14 @@ KeyTable LineKeys(LineCase &line)
 {
    KeyTable keys;
    keys.Value("name", line.line.name, "", "of the file").Required();
-   keys.Value("from", line.line.from, length, "first point").Required();
-   keys.Value("to", line.line.to, length, "last point").Required();
+   keys.Value("from", line.line.from, quantities::length, "first point")
+      .Required();
+   keys.Value("to", line.line.to, quantities::length, "last point").Required();
    keys.Value("points", line.line.points, "", "how many, both ends included")
       .From(2, most_points);
    keys.Value("region", line.line.regions, "",
               "where to look for the points; everywhere if left out");
-   keys.Value("times", line.times, time_unit,
+   keys.Value("times", line.times, quantities::time,
               "when it is sampled; at the end if left out");
    return keys;
 }

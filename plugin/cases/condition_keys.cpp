@@ -1,12 +1,11 @@
 #include "synovia/cases/condition_keys.hpp"
+#include "synovia/cases/key_names.hpp"
 
 namespace synovia
 {
 
 namespace
 {
-const char *const length = "length";
-const char *const stress = "stress";
 
 KeyTable SpringKeys(SpringCase &spring)
 {
@@ -32,16 +31,17 @@ KeyTable ForceKeys(ForceCase &force)
 
 void AddBoundaryKeys(BoundaryCase &boundary, KeyTable &keys)
 {
-   keys.Value("displacement", boundary.displacement, length,
+   keys.Value("displacement", boundary.displacement, quantities::length,
               "prescribed, by component");
-   keys.Value("pressure", boundary.pressure, stress,
+   keys.Value("pressure", boundary.pressure, quantities::stress,
               "prescribed fluid pressure; impermeable if there is none");
-   keys.Value("traction", boundary.traction, stress,
+   keys.Value("traction", boundary.traction, quantities::stress,
               "total traction, by component");
-   keys.Value("normal_traction", boundary.normal_traction, stress,
+   keys.Value("normal_traction", boundary.normal_traction, quantities::stress,
               "total traction along the outward normal, positive in tension; "
               "in finite deformation it follows the surface");
-   keys.Value("effective_traction", boundary.effective_traction, stress,
+   keys.Value("effective_traction", boundary.effective_traction,
+              quantities::stress,
               "traction of the solid alone along the outward normal, to which "
               "the fluid's pressure adds: the total one is less by the "
               "pressure; finite deformation");
@@ -60,7 +60,7 @@ void AddBoundaryKeys(BoundaryCase &boundary, KeyTable &keys)
 
 void AddRigidBodyKeys(RigidBodyCase &body, KeyTable &keys)
 {
-   keys.Value("translation", body.translation, length,
+   keys.Value("translation", body.translation, quantities::length,
               "prescribed, by component; free if left out");
    keys.Value("rotation", body.rotation, "rad",
               "prescribed, by component of the rotation vector, which is along "
@@ -107,14 +107,14 @@ void AddContactKeys(ContactOptions &options, KeyTable &keys)
              "factor of both derived penalties")
       .Positive()
       .Named("penalty_factor");
-   keys.Auto("gap_tolerance", options.gap_tolerance, length,
+   keys.Auto("gap_tolerance", options.gap_tolerance, quantities::length,
              "largest gap left in contact; 1e-5 of the destination's "
              "thickness");
    keys
       .Value("pressure_tolerance", options.pressure_tolerance, "",
              "largest pressure jump left in contact, of the peak pressure")
       .Positive();
-   keys.Auto("search_radius", options.search_radius, length,
+   keys.Auto("search_radius", options.search_radius, quantities::length,
              "how far the destination looks for the source; the destination's "
              "thickness");
    keys.Word<InitialOverlap>("initial_overlap", options.initial_overlap,
@@ -123,7 +123,7 @@ void AddContactKeys(ContactOptions &options, KeyTable &keys)
                              "what becomes of surfaces that overlap as meshed: "
                              "the first step presses it out, or gaps are "
                              "measured from it");
-   keys.Auto("overlap_limit", options.overlap_limit, length,
+   keys.Auto("overlap_limit", options.overlap_limit, quantities::length,
              "a deeper overlap is an error; a tenth of the destination's "
              "thickness");
    keys.Word<SearchConfiguration>(
@@ -187,7 +187,9 @@ namespace
 {
 void AddRound(RigidShape &shape, KeyTable &keys)
 {
-   keys.Value("radius", shape.radius, length, "of it").Required().Positive();
+   keys.Value("radius", shape.radius, quantities::length, "of it")
+      .Required()
+      .Positive();
    keys.Value("hollow", shape.hollow, "",
               "whether it is a hole that others touch from inside");
 }
@@ -200,22 +202,26 @@ KeyTable ShapeKeysOf(RigidShape::Type type, RigidShape &shape)
    case RigidShape::Type::none:
       return keys;
    case RigidShape::Type::plane:
-      keys.Value("center", shape.center, length, "of the square").Required();
+      keys.Value("center", shape.center, quantities::length, "of the square")
+         .Required();
       keys.Value("normal", shape.axis, "",
                  "towards what it touches, of any length");
-      keys.Value("edge", shape.edge, length, "of the square")
+      keys.Value("edge", shape.edge, quantities::length, "of the square")
          .Required()
          .Positive();
       break;
    case RigidShape::Type::sphere:
-      keys.Value("center", shape.center, length, "of it").Required();
+      keys.Value("center", shape.center, quantities::length, "of it")
+         .Required();
       AddRound(shape, keys);
       break;
    case RigidShape::Type::cylinder:
-      keys.Value("center", shape.center, length, "the middle of its axis")
+      keys
+         .Value("center", shape.center, quantities::length,
+                "the middle of its axis")
          .Required();
       keys.Value("axis", shape.axis, "", "its direction, of any length");
-      keys.Value("height", shape.height, length, "along the axis")
+      keys.Value("height", shape.height, quantities::length, "along the axis")
          .Required()
          .Positive();
       AddRound(shape, keys);
@@ -230,7 +236,7 @@ KeyTable ShapeKeysOf(RigidShape::Type type, RigidShape &shape)
          .Positive();
       return keys;
    }
-   keys.Auto("facet_size", shape.facet_size, length,
+   keys.Auto("facet_size", shape.facet_size, quantities::length,
              "of the facets it is made of, which are curved where it is round; "
              "an eighth of the radius, a quarter of the edge");
    return keys;
@@ -267,7 +273,7 @@ KeyTable RigidBodyKeys(RigidBodyCase &body)
               "a surface without a mesh, to touch others with: contact pairs "
               "know it by the body's name; of a cylinder also NAME_side and "
               "NAME_ends");
-   keys.Value("reference", body.reference, length,
+   keys.Value("reference", body.reference, quantities::length,
               "the point that the translation and moments are of; the shape's "
               "center, or the surfaces' center of area if left out");
    AddRigidBodyKeys(body, keys);

@@ -1,11 +1,11 @@
 #include "synovia/cases/connection_keys.hpp"
+#include "synovia/cases/key_names.hpp"
 
 namespace synovia
 {
 
 namespace
 {
-const char *const length = "length";
 
 KeyTable LigamentEndKeys(LigamentEnd &end)
 {
@@ -13,7 +13,7 @@ KeyTable LigamentEndKeys(LigamentEnd &end)
    keys.Value("body", end.body, "",
               "the rigid body that it is attached to; space if left out");
    keys
-      .Value("point", end.point, length,
+      .Value("point", end.point, quantities::length,
              "where it is attached, as meshed; it need not be in a mesh")
       .Required();
    return keys;
@@ -24,7 +24,7 @@ KeyTable JointSideKeys(JointSide &side)
    KeyTable keys;
    keys.Value("body", side.body, "", "a rigid body; space if left out");
    keys
-      .Value("origin", side.origin, length,
+      .Value("origin", side.origin, quantities::length,
              "the point that translations are of, as meshed")
       .Required();
    keys.Value("flexion_axis", side.flexion_axis, "",
@@ -51,7 +51,7 @@ KeyTable LigamentKeys(Ligament &ligament)
       .Value("strain_stiffness", options.strain_stiffness, "force",
              "instead: force per strain beyond the toe region")
       .AtLeast(0.0);
-   keys.Auto("slack_length", options.slack_length, length,
+   keys.Auto("slack_length", options.slack_length, quantities::length,
              "where the force begins; the length as meshed, less the "
              "prestrain");
    keys
@@ -91,7 +91,7 @@ KeyTable JointKeys(Joint &joint)
    for (int k = 0; k < 6; k++)
    {
       keys.Value(JointCoordinateNames()[k], joint.prescribed[k],
-                 k < 3 ? "rad" : length, meanings[k]);
+                 k < 3 ? "rad" : quantities::length, meanings[k]);
    }
    return keys;
 }

@@ -20,4 +20,12 @@ std::string JoinedNames(const std::vector<std::string> &names);
 std::string DidYouMean(const std::string &name,
                        const std::vector<std::string> &known);
 
+/// Quantities of keys.
+namespace quantities
+{
+constexpr const char *length = "length";
+constexpr const char *stress = "stress";
+constexpr const char *time = "time";
+} // namespace quantities
+
 } // namespace synovia

@@ -8,7 +8,7 @@ using namespace mfem;
 
 namespace
 {
-using Values = std::map<std::string, real_t>;
+using LawValues = std::map<std::string, real_t>;
 using Alternatives = std::vector<KeyTable::Alternative>;
 
 const char *const model = "model";
@@ -78,7 +78,7 @@ void AddKeys(const std::vector<Parameter> &parameters,
    }
 }
 
-KeyTable ParameterKeys(const LawDescription &law, Values &values)
+KeyTable ParameterKeys(const LawDescription &law, LawValues &values)
 {
    KeyTable keys;
    AddKeys(law.parameters, values, keys);

@@ -14,29 +14,10 @@ using namespace mfem;
 
 namespace
 {
-// More time steps than anybody waits for.
+// More time steps than anybody waits for: a slip of the pen.
 constexpr real_t most_steps = 1e7;
 // Ends that differ by this part are the same.
 constexpr real_t same_end = 1e-9;
-
-// Times of a step with those that it takes from the case.
-void CheckStepTimes(const StepCase &step, const TimeOptions &time,
-                    const std::string &path, CaseReading &reading)
-{
-   const real_t steps =
-      step.duration > 0.0 && time.step > 0.0 ? step.duration / time.step : 0.0;
-   reading.Require(steps <= most_steps, path + ".step",
-                   "the duration of " + ToText(step.duration) + " would take " +
-                      ToText(steps) + " time steps; that is too many");
-   reading.Require(!(time.min_step > time.step), path + ".min_step",
-                   "found " + ToText(time.min_step) +
-                      "; it must not be above the time step, " +
-                      ToText(time.step));
-   reading.Require(!(time.max_step < time.step), path + ".max_step",
-                   "found " + ToText(time.max_step) +
-                      "; it must be at least the time step, " +
-                      ToText(time.step));
-}
 
 // What each step has by itself.
 void CheckEachStep(const CaseFile &setup, CaseReading &reading)
@@ -76,6 +57,26 @@ void CheckEachStep(const CaseFile &setup, CaseReading &reading)
 }
 } // namespace
 
+void CheckStepLengths(real_t duration, const std::string &meaning,
+                      const TimeOptions &time, const std::string &path,
+                      CaseReading &reading)
+{
+   const real_t steps =
+      duration > 0.0 && time.step > 0.0 ? duration / time.step : 0.0;
+   reading.Require(steps <= most_steps, path + ".step",
+                   "the " + meaning + " of " + ToText(duration) +
+                      " would take " + ToText(steps) +
+                      " time steps; that is too many");
+   reading.Require(!(time.min_step > time.step), path + ".min_step",
+                   "found " + ToText(time.min_step) +
+                      "; it must not be above the time step, " +
+                      ToText(time.step));
+   reading.Require(
+      !(time.max_step > 0.0 && time.max_step < time.step), path + ".max_step",
+      "found " + ToText(time.max_step) +
+         "; it must be at least the time step, " + ToText(time.step));
+}
+
 void CheckSteps(const CaseFile &setup, CaseReading &reading)
 {
    if (setup.steps.empty())
@@ -94,8 +95,8 @@ void CheckSteps(const CaseFile &setup, CaseReading &reading)
    const std::vector<CaseOfStep> steps = CasesOfSteps(placed, reading);
    for (size_t i = 0; i < steps.size(); i++)
    {
-      CheckStepTimes(setup.steps[i], steps[i].setup.time, EntryPath("step", i),
-                     reading);
+      CheckStepLengths(setup.steps[i].duration, "duration", steps[i].setup.time,
+                       EntryPath("step", i), reading);
       if (reading.Count() > 0)
       {
          // They would be found in each of the steps that follow.

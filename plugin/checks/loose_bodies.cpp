@@ -16,7 +16,6 @@ using namespace mfem;
 
 namespace
 {
-constexpr int per_body = RigidMotions::per_body;
 // Surfaces that are apart by more than this part of a layer don't touch yet.
 constexpr real_t touching = 0.01;
 
@@ -72,9 +71,11 @@ std::string WhyApart(const CaseFile &setup, const NamedMesh &mesh,
 std::vector<int> BodiesIn(const Vector &motion)
 {
    std::vector<int> moving;
-   for (int b = 0; b < motion.Size() / per_body; b++)
+   for (int b = 0; b < motion.Size() / RigidMotions::per_body; b++)
    {
-      if (Vector(motion.GetData() + per_body * b, per_body).Normlinf() > 0.0)
+      if (Vector(motion.GetData() + RigidMotions::per_body * b,
+                 RigidMotions::per_body)
+             .Normlinf() > 0.0)
       {
          moving.push_back(b);
       }
@@ -110,7 +111,8 @@ public:
       directions[{moving, why}].push_back(
          motions
             .Direction(moving.front(),
-                       motion.GetData() + per_body * moving.front())
+                       motion.GetData() +
+                          RigidMotions::per_body * moving.front())
             .text);
    }
 

@@ -143,10 +143,6 @@ struct SourceSide
    FaceBlock coverage;
 };
 
-// A hit that is farther than this part of the source face's size from where the
-// face should be is one of another part of the source, in between.
-constexpr real_t in_between = 0.5;
-
 using Segments = std::vector<std::vector<SegmentPoint>>;
 
 std::vector<SearchQuery> MakeQueries(const ContactSurface &destination,
@@ -185,7 +181,7 @@ void TakeMeanNormals(const std::vector<SearchHit> &hits,
 bool Counts(const SearchHit &hit, const SegmentPoint &point)
 {
    return hit.Found() &&
-          std::abs(hit.distance - point.distance) <= in_between * point.size;
+          IsExpectedHit(hit.distance, point.distance, point.size);
 }
 
 class GapAssembler

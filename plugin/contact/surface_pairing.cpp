@@ -12,9 +12,6 @@ using namespace mfem;
 
 namespace
 {
-// A hit that is farther than this part of the source face's size from where the
-// face should be is one of another part of the source, in between.
-constexpr real_t in_between = 0.5;
 // Faces meet where reference coordinates are this far outside of either.
 constexpr real_t edge_tolerance = 1e-6;
 // How far a face's continuation goes on, in reference coordinates.
@@ -104,8 +101,7 @@ void SurfacePairing::Segment()
    {
       PairedPoint point = points[i];
       const SearchHit &hit = hits[i];
-      if (hit.Found() &&
-          std::abs(hit.distance - distances[i]) <= in_between * point.size)
+      if (hit.Found() && IsExpectedHit(hit.distance, distances[i], point.size))
       {
          point.name = {hit.rank, hit.face};
          point.hit.Set2(hit.xi, hit.eta);
@@ -285,8 +281,7 @@ void SurfacePairing::FindOtherFaces(const std::vector<int> &leaving)
    {
       PairedPoint &point = points[leaving[i]];
       const SearchHit &hit = hits[i];
-      if (hit.Found() &&
-          std::abs(hit.distance - point.gap) <= in_between * point.size)
+      if (hit.Found() && IsExpectedHit(hit.distance, point.gap, point.size))
       {
          point.name = {hit.rank, hit.face};
          point.hit.Set2(hit.xi, hit.eta);

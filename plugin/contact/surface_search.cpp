@@ -12,11 +12,11 @@ namespace
 {
 // How far outside a face, in its reference coordinates, still counts as on it,
 // so that no ray slips through between two faces.
-constexpr real_t edge_tolerance = 1e-6;
+constexpr real_t on_face_tolerance = 1e-6;
 
 // A face turned sideways or away is not a partner: its normal must be against
 // the query's by at least this cosine.
-constexpr real_t facing_cosine = -0.2;
+constexpr real_t opposing_cosine = -0.2;
 
 std::vector<Box> FaceBoxes(const ContactSurface &surface)
 {
@@ -47,13 +47,14 @@ std::vector<Box> RankBoxes(const ContactSurface &surface)
 
 bool Inside(Geometry::Type geometry, const IntegrationPoint &ip)
 {
-   if (ip.x < -edge_tolerance || ip.y < -edge_tolerance)
+   if (ip.x < -on_face_tolerance || ip.y < -on_face_tolerance)
    {
       return false;
    }
    return geometry == Geometry::TRIANGLE
-             ? ip.x + ip.y <= 1.0 + edge_tolerance
-             : ip.x <= 1.0 + edge_tolerance && ip.y <= 1.0 + edge_tolerance;
+             ? ip.x + ip.y <= 1.0 + on_face_tolerance
+             : ip.x <= 1.0 + on_face_tolerance &&
+                  ip.y <= 1.0 + on_face_tolerance;
 }
 
 // Solves x(xi, eta) = point + s normal by Newton's method from the center; says
@@ -116,7 +117,7 @@ SearchHit SurfaceSearch::HitFace(const SearchQuery &query, int index) const
    real_t cosine;
    if (IntersectFace(face, query, ip, distance, cosine) &&
        Inside(face.GetGeometry(), ip) && std::abs(distance) <= radius &&
-       cosine <= facing_cosine)
+       cosine <= opposing_cosine)
    {
       hit.rank = rank;
       hit.face = index;

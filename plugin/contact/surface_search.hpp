@@ -98,4 +98,13 @@ private:
    BoundingVolumeTree ranks;
 };
 
+/// Whether a hit at @a distance is on the face that is expected at another one,
+/// of this @a size (lengths): one that is farther away is of another part of
+/// the source, in between.
+inline bool IsExpectedHit(mfem::real_t distance, mfem::real_t expected,
+                          mfem::real_t size)
+{
+   return std::abs(distance - expected) <= 0.5 * size;
+}
+
 } // namespace synovia

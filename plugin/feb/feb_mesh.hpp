@@ -4,6 +4,7 @@
 #include "synovia/feb/feb_shapes.hpp"
 #include "synovia/general/point3.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -50,5 +51,12 @@ FebMesh ReadFebMesh(const FebInput &section);
 
 /// Reads the section MeshDomains, which says what parts are made of.
 void ReadMeshDomains(const FebInput &section, FebMesh &mesh);
+
+/// The corners of a face in an order that does not depend on the element.
+inline std::vector<int> Sorted(std::vector<int> corners)
+{
+   std::sort(corners.begin(), corners.end());
+   return corners;
+}
 
 } // namespace synovia

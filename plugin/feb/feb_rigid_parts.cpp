@@ -15,12 +15,6 @@ constexpr int surface_dimension = 2;
 // Thickness of what shells become, of the root of their elements' area.
 constexpr real_t thin = 0.1;
 
-std::vector<int> Sorted(std::vector<int> list)
-{
-   std::sort(list.begin(), list.end());
-   return list;
-}
-
 std::vector<int> Corners(const FebPart &part, const FebCell &cell)
 {
    return {cell.nodes.begin(), cell.nodes.begin() + part.shape->corners};

@@ -10,12 +10,6 @@ using namespace mfem;
 namespace
 {
 constexpr const char *surface_prefix = "@surface:";
-
-std::vector<int> Sorted(std::vector<int> list)
-{
-   std::sort(list.begin(), list.end());
-   return list;
-}
 } // namespace
 
 std::string PlainName(std::string name)

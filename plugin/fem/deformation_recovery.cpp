@@ -1,5 +1,6 @@
 #include "synovia/fem/deformation_recovery.hpp"
 #include "synovia/fem/principal_strain.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 #include <cmath>
 
@@ -10,11 +11,9 @@ using namespace mfem;
 
 namespace
 {
-constexpr int components = 6;
+constexpr int strain_components = 6;
 // The solid fraction where there is no fluid.
 constexpr real_t no_pores = 1.0;
-constexpr int voigt[components][2] = {{0, 0}, {1, 1}, {2, 2},
-                                      {0, 1}, {1, 2}, {0, 2}};
 
 // ln U, by its principal axes, which are those of Green's strain.
 void CalcLogarithmicStrain(const DenseMatrix &gradient, Vector &strain)
@@ -26,10 +25,10 @@ void CalcLogarithmicStrain(const DenseMatrix &gradient, Vector &strain)
    for (int k = 0; k < 3; k++)
    {
       const real_t along = LogarithmicStrain(green[k]);
-      for (int v = 0; v < components; v++)
+      for (int v = 0; v < strain_components; v++)
       {
-         strain(v) +=
-            along * axes[3 * k + voigt[v][0]] * axes[3 * k + voigt[v][1]];
+         strain(v) += along * axes[3 * k + symmetric_entries[v][0]] *
+                      axes[3 * k + symmetric_entries[v][1]];
       }
    }
 }
@@ -37,7 +36,7 @@ void CalcLogarithmicStrain(const DenseMatrix &gradient, Vector &strain)
 
 DeformationRecovery::DeformationRecovery(ParFiniteElementSpace &displacement,
                                          const MaterialTable &materials)
-   : recovery(displacement, components),
+   : recovery(displacement, strain_components),
      vectors(displacement.GetParMesh(), displacement.FEColl(), 3),
      scalars(displacement.GetParMesh(), displacement.FEColl()),
      strain(&recovery.Space()), principal(&vectors), volume_ratio(&scalars),
@@ -58,7 +57,7 @@ Vector DeformationRecovery::SolidFractions(const MaterialTable &materials)
    strain = 0.0;
    for (int e = 0; e < space.GetNE(); e++)
    {
-      at_nodes.SetSize(space.GetFE(e)->GetDof(), components);
+      at_nodes.SetSize(space.GetFE(e)->GetDof(), strain_components);
       const Material &material =
          materials.Get(space.GetParMesh()->GetAttribute(e));
       at_nodes = material.HasFluid() ? material.solid_fraction : no_pores;
@@ -81,13 +80,13 @@ void DeformationRecovery::Update(const ParGridFunction &u)
    DenseMatrix gradient;
    DenseMatrix at_points;
    DenseMatrix at_nodes;
-   Vector at_point(components);
+   Vector at_point(strain_components);
    strain = 0.0;
    for (int e = 0; e < space.GetNE(); e++)
    {
       const IntegrationRule &rule = recovery.Points(e);
       mesh.GetElementTransformation(e, &trans);
-      at_points.SetSize(rule.GetNPoints(), components);
+      at_points.SetSize(rule.GetNPoints(), strain_components);
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
          trans.SetIntPoint(&rule.IntPoint(q));
@@ -106,10 +105,11 @@ void DeformationRecovery::Update(const ParGridFunction &u)
    DenseMatrix tensor(3);
    for (int i = 0; i < space.GetNDofs(); i++)
    {
-      for (int v = 0; v < components; v++)
+      for (int v = 0; v < strain_components; v++)
       {
-         tensor(voigt[v][0], voigt[v][1]) = tensor(voigt[v][1], voigt[v][0]) =
-            strain(space.DofToVDof(i, v));
+         tensor(symmetric_entries[v][0], symmetric_entries[v][1]) =
+            tensor(symmetric_entries[v][1], symmetric_entries[v][0]) =
+               strain(space.DofToVDof(i, v));
       }
       real_t values[3];
       real_t directions[9];

@@ -9,7 +9,7 @@ using namespace mfem;
 namespace
 {
 // Where d u_a / d x_d is among the strains, and the stress that it works on.
-constexpr int voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+constexpr int strain_index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 } // namespace
 
 const IntegrationRule &
@@ -104,7 +104,7 @@ void EffectiveStressIntegrator::AddPointOfMeanDilatation(
          real_t *const strain = strains.GetColumn(j + b * dofs);
          for (int d = 0; d < 3; d++)
          {
-            strain[voigt[b][d]] = gradients(j, d);
+            strain[strain_index[b][d]] = gradients(j, d);
          }
          const real_t more = (mean_gradients(j, b) - gradients(j, b)) / 3.0;
          for (int k = 0; k < 3; k++)
@@ -131,15 +131,15 @@ void EffectiveStressIntegrator::AddPoint(DenseMatrix &elmat) const
          real_t stress[6];
          for (int k = 0; k < 6; k++)
          {
-            stress[k] = stiffness(k, voigt[b][0]) * dx[j] +
-                        stiffness(k, voigt[b][1]) * dy[j] +
-                        stiffness(k, voigt[b][2]) * dz[j];
+            stress[k] = stiffness(k, strain_index[b][0]) * dx[j] +
+                        stiffness(k, strain_index[b][1]) * dy[j] +
+                        stiffness(k, strain_index[b][2]) * dz[j];
          }
          for (int a = 0; a < 3; a++)
          {
-            const real_t along_x = stress[voigt[a][0]];
-            const real_t along_y = stress[voigt[a][1]];
-            const real_t along_z = stress[voigt[a][2]];
+            const real_t along_x = stress[strain_index[a][0]];
+            const real_t along_y = stress[strain_index[a][1]];
+            const real_t along_z = stress[strain_index[a][2]];
             real_t *const force = elmat.GetColumn(j + b * dofs) + a * dofs;
             for (int i = 0; i < dofs; i++)
             {

@@ -10,18 +10,18 @@ namespace
 using Scalar = SecondOrder<12>;
 using Vector3D = std::array<Scalar, 3>;
 
-Scalar Dot(const Vector3D &a, const Vector3D &b)
+Scalar DotProduct(const Vector3D &a, const Vector3D &b)
 {
    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Vector3D Cross(const Vector3D &a, const Vector3D &b)
+Vector3D CrossProduct(const Vector3D &a, const Vector3D &b)
 {
    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
            a[0] * b[1] - a[1] * b[0]};
 }
 
-Vector3D Sum(const Vector3D &a, const Scalar &s, const Vector3D &b)
+Vector3D Combined(const Vector3D &a, const Scalar &s, const Vector3D &b)
 {
    return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
@@ -85,7 +85,7 @@ public:
          translation[d] = Scalar::Variable(first + d, bone.pose[d]);
          rotation[d] = Scalar::Variable(first + 3 + d, bone.pose[d + 3]);
       }
-      const Scalar s = Dot(rotation, rotation);
+      const Scalar s = DotProduct(rotation, rotation);
       const std::array<real_t, 7> c = Stumpff(s.value);
       for (int k = 0; k < 3; k++)
       {
@@ -97,9 +97,9 @@ public:
    Vector3D Turned(const Point3 &vector) const
    {
       const Vector3D a = Constant(vector);
-      Vector3D turned = Sum({}, of_angle[0], a);
-      turned = Sum(turned, of_angle[1], Cross(rotation, a));
-      return Sum(turned, of_angle[2] * Dot(rotation, a), rotation);
+      Vector3D turned = Combined({}, of_angle[0], a);
+      turned = Combined(turned, of_angle[1], CrossProduct(rotation, a));
+      return Combined(turned, of_angle[2] * DotProduct(rotation, a), rotation);
    }
 
    Vector3D Place(const Point3 &point) const
@@ -112,8 +112,9 @@ public:
       const Vector3D turned =
          deformation == Deformation::finite
             ? Turned(arm)
-            : Sum(Constant(arm), 1.0, Cross(rotation, Constant(arm)));
-      return Sum(Sum(reference, 1.0, translation), 1.0, turned);
+            : Combined(Constant(arm), 1.0,
+                       CrossProduct(rotation, Constant(arm)));
+      return Combined(Combined(reference, 1.0, translation), 1.0, turned);
    }
 
 private:
@@ -134,17 +135,16 @@ struct Axes
 
 Point3 Unit(const Point3 &a)
 {
-   return synovia::Sum({{0.0, 0.0, 0.0}}, 1.0 / Length(a), a);
+   return Sum({{0.0, 0.0, 0.0}}, 1.0 / Length(a), a);
 }
 
 Axes AxesOf(const JointSide &side, bool keeps_flexion_axis)
 {
-   const Point3 anterior =
-      Unit(synovia::Cross(side.long_axis, side.flexion_axis));
+   const Point3 anterior = Unit(Cross(side.long_axis, side.flexion_axis));
    const Point3 right = keeps_flexion_axis
                            ? Unit(side.flexion_axis)
-                           : synovia::Cross(anterior, Unit(side.long_axis));
-   return {right, anterior, synovia::Cross(right, anterior)};
+                           : Cross(anterior, Unit(side.long_axis));
+   return {right, anterior, Cross(right, anterior)};
 }
 } // namespace
 
@@ -159,23 +159,24 @@ std::array<SecondOrder<12>, 6> JointCoordinates(const Joint &joint,
    const Axes of_tibia = AxesOf(joint.distal, false);
    const Vector3D I = femur.Turned(of_femur.right);
    const Vector3D k = tibia.Turned(of_tibia.proximal);
-   const Vector3D floating = Cross(k, I);
-   const Scalar length = Sqrt(Dot(floating, floating));
-   const Scalar flexion = Atan2(-Dot(floating, femur.Turned(of_femur.proximal)),
-                                Dot(floating, femur.Turned(of_femur.anterior)));
-   const Scalar abduction = -Atan2(Dot(I, k), length);
+   const Vector3D floating = CrossProduct(k, I);
+   const Scalar length = Sqrt(DotProduct(floating, floating));
+   const Scalar flexion =
+      Atan2(-DotProduct(floating, femur.Turned(of_femur.proximal)),
+            DotProduct(floating, femur.Turned(of_femur.anterior)));
+   const Scalar abduction = -Atan2(DotProduct(I, k), length);
    const Scalar internal =
-      Atan2(Dot(floating, tibia.Turned(of_tibia.right)),
-            Dot(floating, tibia.Turned(of_tibia.anterior)));
-   const Vector3D apart = Sum(tibia.Place(joint.distal.origin), -1.0,
-                              femur.Place(joint.proximal.origin));
+      Atan2(DotProduct(floating, tibia.Turned(of_tibia.right)),
+            DotProduct(floating, tibia.Turned(of_tibia.anterior)));
+   const Vector3D apart = Combined(tibia.Place(joint.distal.origin), -1.0,
+                                   femur.Place(joint.proximal.origin));
    const real_t side = joint.of == JointOf::right ? 1.0 : -1.0;
    return {flexion,
            side * abduction,
            side * internal,
-           side * Dot(apart, I),
-           Dot(apart, floating) * Inverse(length),
-           -Dot(apart, k)};
+           side * DotProduct(apart, I),
+           DotProduct(apart, floating) * Inverse(length),
+           -DotProduct(apart, k)};
 }
 
 } // namespace synovia

@@ -8,7 +8,7 @@ using namespace mfem;
 namespace
 {
 /// Adds up what the ranks have for each shared degree of freedom.
-void SumOverRanks(const ParFiniteElementSpace &space, Vector &dofs)
+void SumSharedDofs(const ParFiniteElementSpace &space, Vector &dofs)
 {
    const Operator &prolongation = *space.GetProlongationMatrix();
    Vector true_dofs(space.GetTrueVSize());
@@ -61,7 +61,7 @@ NodalRecovery::NodalRecovery(ParFiniteElementSpace &displacement,
          elements_of_dof(dof) += 1.0;
       }
    }
-   SumOverRanks(space, elements_of_dof);
+   SumSharedDofs(space, elements_of_dof);
 }
 
 const NodalRecovery::Extrapolation &NodalRecovery::ExtrapolationOf(int e)
@@ -102,7 +102,7 @@ void NodalRecovery::Add(int element, const DenseMatrix &at_nodes,
 
 void NodalRecovery::Average(ParGridFunction &field) const
 {
-   SumOverRanks(space, field);
+   SumSharedDofs(space, field);
    for (int i = 0; i < field.Size(); i++)
    {
       field(i) /= elements_of_dof(i);

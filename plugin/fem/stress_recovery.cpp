@@ -7,7 +7,7 @@ using namespace mfem;
 
 namespace
 {
-constexpr int components = 6;
+constexpr int stress_components = 6;
 
 /// Voigt strain with engineering shear.
 void CalcStrain(const DenseMatrix &gradient, Vector &strain)
@@ -35,12 +35,10 @@ void CalcCauchyStress(const SolidLaw &law, const MaterialPoint &point,
    Tensor3<> P;
    law.GetStress(point, F, P, nullptr);
    const real_t J = Determinant(F, Cofactor(F));
-   constexpr int voigt[components][2] = {{0, 0}, {1, 1}, {2, 2},
-                                         {0, 1}, {1, 2}, {0, 2}};
-   for (int v = 0; v < components; v++)
+   for (int v = 0; v < stress_components; v++)
    {
-      const auto &row = P[voigt[v][0]];
-      const auto &line = F[voigt[v][1]];
+      const auto &row = P[symmetric_entries[v][0]];
+      const auto &line = F[symmetric_entries[v][1]];
       stress(v) = (row[0] * line[0] + row[1] * line[1] + row[2] * line[2]) / J;
    }
 }
@@ -49,8 +47,9 @@ void CalcCauchyStress(const SolidLaw &law, const MaterialPoint &point,
 StressRecovery::StressRecovery(ParFiniteElementSpace &displacement,
                                const MaterialTable &materials_,
                                Deformation deformation_)
-   : materials(materials_), deformation(deformation_), strain(components),
-     recovery(displacement, components), tensors(recovery.Space()),
+   : materials(materials_), deformation(deformation_),
+     strain(stress_components), recovery(displacement, stress_components),
+     tensors(recovery.Space()),
      vectors(displacement.GetParMesh(), displacement.FEColl(), 3),
      effective(&tensors), total(&tensors), principal(&vectors)
 {
@@ -80,7 +79,7 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
    DenseMatrix gradient;
    DenseMatrix at_points;
    DenseMatrix at_nodes;
-   Vector stress(components);
+   Vector stress(stress_components);
    const ParMesh &mesh = *tensors.GetParMesh();
    for (int e = 0; e < tensors.GetNE(); e++)
    {
@@ -92,7 +91,7 @@ void StressRecovery::Update(const ParGridFunction &u, const ParGridFunction &p)
          continue;
       }
       const SolidLaw &law = *material.solid;
-      at_points.SetSize(rule.GetNPoints(), components);
+      at_points.SetSize(rule.GetNPoints(), stress_components);
       for (int q = 0; q < rule.GetNPoints(); q++)
       {
          const IntegrationPoint &ip = rule.IntPoint(q);

@@ -2,6 +2,7 @@
 
 #include "mfem.hpp"
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,12 @@ inline std::string ToText(mfem::real_t value)
    std::ostringstream text;
    text << value;
    return text.str();
+}
+
+/// An amount of memory, rounded up.
+inline std::string Megabytes(double amount)
+{
+   return ToText(std::ceil(amount)) + " MB";
 }
 
 } // namespace synovia

@@ -33,7 +33,7 @@ constexpr const char *groups[3] = {"texts", "numbers", "fields"};
 }
 
 /// FNV-1a over words of eight bytes.
-std::uint64_t Sum(const std::vector<char> &bytes)
+std::uint64_t Checksum(const std::vector<char> &bytes)
 {
    std::uint64_t sum = 14695981039346656037u;
    for (std::size_t i = 0; i < bytes.size(); i += sizeof(sum))
@@ -51,7 +51,7 @@ std::string Head(const std::vector<char> &image)
 {
    std::ostringstream text;
    text << magic << "\nbytes " << image.size() << "\nsum " << std::hex
-        << Sum(image) << "\n";
+        << Checksum(image) << "\n";
    std::string head = text.str();
    head.resize(head_size, '\0');
    return head;

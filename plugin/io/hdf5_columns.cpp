@@ -14,7 +14,7 @@ namespace synovia
 namespace
 {
 constexpr hsize_t rows_in_a_chunk = 512;
-constexpr std::size_t memory_increment = 1 << 16;
+constexpr std::size_t columns_increment = 1 << 16;
 // Bytes that are compared, and written, at once.
 constexpr std::size_t block = 512;
 
@@ -47,7 +47,7 @@ Hdf5Columns::Hdf5Columns(const std::string &path_,
    // In memory: HDF5 1.10 can't close a file that it could not write, on a full
    // disk say, and crashes when the program ends.
    const Hdf5Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
-   H5Pset_fapl_core(access.id, memory_increment, false);
+   H5Pset_fapl_core(access.id, columns_increment, false);
    file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
    if (file < 0)
    {

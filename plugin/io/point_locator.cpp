@@ -57,10 +57,10 @@ struct Extent
 ///
 /// MFEM's InverseElementTransformation gives no point where it finds x outside,
 /// and takes some points on faces for outside by rounding.
-class Inverse
+class InverseMap
 {
 public:
-   explicit Inverse(ElementTransformation &trans_)
+   explicit InverseMap(ElementTransformation &trans_)
       : trans(trans_), geometry(trans.GetGeometryType()), image(3), step(3)
    {
    }
@@ -142,7 +142,7 @@ std::vector<LocatedPoint> LocatePoints(const ParMesh &mesh,
       }
       mesh.GetElementTransformation(e, &trans);
       const Extent extent(trans.GetPointMat());
-      Inverse inverse(trans);
+      InverseMap inverse(trans);
       // Curved elements may bulge out of the box of their nodes.
       const real_t margin = (trans.Order() > 1 ? 0.3 : slack) * extent.size;
       for (int i = 0; i < count; i++)

@@ -66,11 +66,6 @@ void Call(SMUMPS_STRUC_C &data)
    smumps_c(&data);
 }
 #endif
-
-std::string Megabytes(double amount)
-{
-   return ToText(std::ceil(amount)) + " MB";
-}
 } // namespace
 
 template <typename Number>

@@ -25,11 +25,6 @@ void FreeNumeric(void *factors)
 {
    umfpack_dl_free_numeric(&factors);
 }
-
-std::string Megabytes(double amount)
-{
-   return ToText(std::ceil(amount)) + " MB";
-}
 } // namespace
 
 UmfpackSolver::UmfpackSolver(int memory_limit_)

@@ -148,6 +148,11 @@ inline mfem::real_t ValueOf(const Dual9 &number)
    return number.value;
 }
 
+/// Rows and columns of a symmetric tensor's components in the order xx, yy, zz,
+/// xy, yz, xz.
+constexpr int symmetric_entries[6][2] = {{0, 0}, {1, 1}, {2, 2},
+                                         {0, 1}, {1, 2}, {0, 2}};
+
 /// The tensor as independent variable: component k has the derivative 1 by
 /// itself.
 inline Tensor3<Dual9> Independent(const Tensor3<> &F)

@@ -187,7 +187,7 @@ void VerifyEdges(const SurfaceSheet &sheet)
    }
 }
 
-Point3 AreaVector(const SurfaceSheet &sheet, const SurfaceSheet::Facet &facet)
+Point3 FacetArea(const SurfaceSheet &sheet, const SurfaceSheet::Facet &facet)
 {
    const auto at = [&](int i) { return sheet.outer[facet.corners[i]]; };
    const int last = CornersOf(facet) - 1;
@@ -229,7 +229,7 @@ void Thicken(SurfaceSheet &sheet)
    real_t shortest = std::numeric_limits<real_t>::infinity();
    for (const SurfaceSheet::Facet &facet : sheet.facets)
    {
-      const Point3 area = AreaVector(sheet, facet);
+      const Point3 area = FacetArea(sheet, facet);
       const int count = CornersOf(facet);
       for (int i = 0; i < count; i++)
       {

@@ -9,11 +9,6 @@ namespace synovia
 
 using namespace mfem;
 
-namespace
-{
-constexpr int per_body = RigidMotions::per_body;
-} // namespace
-
 TiedResistance::TiedResistance(const RigidMotions &motions,
                                BiphasicSpaces &spaces,
                                const BoundaryConditions &conditions)
@@ -45,6 +40,7 @@ void TiedResistance::AddBody(const RigidMotions &motions,
          tied.free.push_back(i);
       }
    }
+   constexpr int per_body = RigidMotions::per_body;
    const int size = per_body * motions.Bodies();
    const int count = static_cast<int>(tied.free.size());
    tied.motions.SetSize(size);

@@ -17,7 +17,7 @@ namespace
 // Steps shorter than this part of the shortest wanted are merged with the one
 // before.
 constexpr real_t same_part = 1e-6;
-constexpr real_t round_off = 1e-13;
+constexpr real_t end_tolerance = 1e-13;
 // Enough for an estimate of how many are left between two stops.
 constexpr real_t most_steps = 1e6;
 
@@ -112,7 +112,7 @@ TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
      control(Limits(options), op.Options().tuning.steps),
      same_time(std::max(same_part *
                            (options.adaptive ? options.min_step : options.step),
-                        round_off * options.end)),
+                        end_tolerance * options.end)),
      state(problem.Spaces().Offsets()),
      displacement(&problem.Spaces().Displacement()),
      pressure(&problem.Spaces().Pressure())

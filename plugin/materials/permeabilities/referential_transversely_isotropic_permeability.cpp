@@ -5,9 +5,9 @@ namespace synovia
 
 using namespace mfem;
 
-using Law = ReferentialTransverselyIsotropicPermeability;
+using AxialLaw = ReferentialTransverselyIsotropicPermeability;
 
-LawDescription Law::Describe()
+LawDescription AxialLaw::Describe()
 {
    return {
       "referential_transversely_isotropic",
@@ -21,7 +21,7 @@ LawDescription Law::Describe()
        PoreGrowth::Exponent("alphaT"), PoreGrowth::Exponent("alphaA")}};
 }
 
-Law::ReferentialTransverselyIsotropicPermeability(const LawArguments &from)
+AxialLaw::ReferentialTransverselyIsotropicPermeability(const LawArguments &from)
    : ReferentialTransverselyIsotropicPermeability(
         {from["k0"], from["k1T"], from["k1A"], from["k2T"], from["k2A"]},
         {from["M0"], from["alpha0"], from.solid_fraction},
@@ -30,7 +30,7 @@ Law::ReferentialTransverselyIsotropicPermeability(const LawArguments &from)
 {
 }
 
-Law::ReferentialTransverselyIsotropicPermeability(
+AxialLaw::ReferentialTransverselyIsotropicPermeability(
    const AxialPermeabilities &constants_, const PoreGrowth &growth_,
    const PoreGrowth &transverse_, const PoreGrowth &axial_,
    const FiberDirection &direction_)
@@ -46,17 +46,17 @@ Law::ReferentialTransverselyIsotropicPermeability(
    ReferencePermeability().Verify(Along());
 }
 
-real_t Law::Across() const
+real_t AxialLaw::Across() const
 {
    return constants.k0 + constants.k1_transverse + constants.k2_transverse;
 }
 
-real_t Law::Along() const
+real_t AxialLaw::Along() const
 {
    return constants.k0 + constants.k1_axial + constants.k2_axial;
 }
 
-real_t Law::ReferenceValue() const
+real_t AxialLaw::ReferenceValue() const
 {
    return (2.0 * Across() + Along()) / 3.0;
 }

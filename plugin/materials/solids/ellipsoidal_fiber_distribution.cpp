@@ -10,7 +10,7 @@ using namespace mfem;
 namespace
 {
 // Stresses are within 1 % of the integral's.
-constexpr int divisions = 10;
+constexpr int sphere_divisions = 10;
 
 real_t Ellipsoid(const Point3 &semiaxes, const Vector3<> &n)
 {
@@ -52,7 +52,8 @@ EllipsoidalFiberDistribution::EllipsoidalFiberDistribution(
 
 EllipsoidalFiberDistribution::EllipsoidalFiberDistribution(
    const Point3 &beta, const Point3 &xi, const MaterialFrame &frame)
-   : EllipsoidalFiberDistribution(DirectionRule(divisions), beta, xi, frame)
+   : EllipsoidalFiberDistribution(DirectionRule(sphere_divisions), beta, xi,
+                                  frame)
 {
 }
 

@@ -2,6 +2,7 @@
 #include "synovia/general/error.hpp"
 #include "synovia/general/symmetric_eigenvalues.hpp"
 #include "synovia/general/text.hpp"
+#include "synovia/materials/tensor3.hpp"
 
 namespace synovia
 {
@@ -11,7 +12,6 @@ using namespace mfem;
 namespace
 {
 // Pairs of axes in Voigt's order.
-constexpr int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
 
 // Strains in the axes from strains in space, both with engineering shear.
 void GetStrainMap(const Tensor3<> &axes, DenseMatrix &map)
@@ -19,13 +19,13 @@ void GetStrainMap(const Tensor3<> &axes, DenseMatrix &map)
    map.SetSize(6);
    for (int m = 0; m < 6; m++)
    {
-      const int a = voigt[m][0];
-      const int b = voigt[m][1];
+      const int a = symmetric_entries[m][0];
+      const int b = symmetric_entries[m][1];
       const real_t shear = a == b ? 1.0 : 2.0;
       for (int n = 0; n < 6; n++)
       {
-         const int i = voigt[n][0];
-         const int j = voigt[n][1];
+         const int i = symmetric_entries[n][0];
+         const int j = symmetric_entries[n][1];
          map(m, n) =
             0.5 * shear * (axes[i][a] * axes[j][b] + axes[j][a] * axes[i][b]);
       }
