@@ -16,9 +16,9 @@
 // between the layers. Bones are impermeable, rims and surfaces without contact
 // drain freely. With --no-contact a normal traction of 0.1 E presses on the
 // surfaces between the layers instead, which drain, or, with --compression,
-// these are moved, and layers slide on their bones. Each step is --step long
-// and has the same share of the load, whatever the step. Units are mm, N, s,
-// MPa.
+// these are moved. With --compression layers slide on their bones. Each step is
+// --step long and has the same share of the load, whatever the step. Units are
+// mm, N, s, MPa.
 //
 // With --deformation finite the solid is neo-Hookean and the permeability
 // constant, or, with --law holmes_mow, both are those of Holmes & Mow (beta
@@ -210,9 +210,9 @@ public:
       const real_t end = options.Times().end;
       problem.SetMaterial("lower", *lower, *permeability);
       problem.SetMaterial("upper", *upper, *permeability);
-      // Squeezed alone, layers slide on their bones: where they were fixed, the
+      // Squeezed far, layers slide on their bones: where they were fixed, the
       // rims' corners would fold.
-      if (options.contact || !(options.compression > 0.0))
+      if (!(options.compression > 0.0))
       {
          for (const int sideways : {0, 1})
          {

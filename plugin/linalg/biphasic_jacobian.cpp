@@ -189,37 +189,57 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 }
 
 std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::StiffnessUnderTraction() const
+{
+   std::unique_ptr<HypreParMatrix> sum = ForceChange();
+   return sum ? std::unique_ptr<HypreParMatrix>(
+                   Add(1.0, *matrices.stiffness, 1.0, *sum))
+              : nullptr;
+}
+
+std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
 {
-   // Small matrices are added up first, so that the large one is copied once.
-   std::unique_ptr<HypreParMatrix> sum;
+   std::unique_ptr<HypreParMatrix> sum = ForceChange();
    for (size_t i = 0; i < Contact().size(); i++)
    {
       const HypreParMatrix &gap = *Contact()[i].gap;
       AddTo(sum, WeightedProduct(gap, weights[i], gap));
    }
-   std::unique_ptr<HypreParMatrix> block(
-      sum ? Add(1.0, *matrices.stiffness, 1.0, *sum)
-          : new HypreParMatrix(*matrices.stiffness));
-   block->EliminateBC(u_dofs, DIAG_ONE);
-   return block;
+   return WithBodies(std::move(sum));
 }
 
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
 {
-   std::unique_ptr<HypreParMatrix> sum;
+   std::unique_ptr<HypreParMatrix> sum = ForceChange();
    for (const ContactFactors &pair : Contact())
    {
       AddTo(sum,
             WeightedProduct(*pair.gap, *pair.gap_weights, *pair.gap_change));
+   }
+   return WithBodies(std::move(sum));
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::ForceChange() const
+{
+   std::unique_ptr<HypreParMatrix> sum;
+   for (const ContactFactors &pair : Contact())
+   {
       if (pair.force_change)
       {
          AddTo(sum, std::make_unique<HypreParMatrix>(*pair.force_change));
       }
    }
+   return sum;
+}
+
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::WithBodies(
+   std::unique_ptr<HypreParMatrix> contact_terms) const
+{
+   // Small matrices are added up first, so that the large one is copied once.
    std::unique_ptr<HypreParMatrix> block(
-      sum ? Add(1.0, *matrices.stiffness, 1.0, *sum)
-          : new HypreParMatrix(*matrices.stiffness));
+      contact_terms ? Add(1.0, *matrices.stiffness, 1.0, *contact_terms)
+                    : new HypreParMatrix(*matrices.stiffness));
    if (IsContactSymmetric())
    {
       block->EliminateBC(u_dofs, DIAG_ONE);

@@ -86,14 +86,27 @@ public:
    const TieTangent *Ties() const { return ties; }
    bool IsContactSymmetric() const;
 
-   /// K + sum G^T W G, with other @a weights W of the gaps, and unit rows and
-   /// columns for the prescribed dofs: symmetric if K is. Collective.
+   /// K + sum F, the bodies and the tractions that follow their surfaces, or
+   /// null where no pair has F. A fluid's pressure in the bodies and the contact
+   /// traction that holds it are of one size and opposite signs there: apart
+   /// from each other they are far from definite. Collective.
+   std::unique_ptr<mfem::HypreParMatrix> StiffnessUnderTraction() const;
+
+   /// K + sum (F + G^T W G), with other @a weights W of the gaps, and unit rows
+   /// and columns for the prescribed dofs: symmetric if K is and there is no F.
+   /// Collective.
    std::unique_ptr<mfem::HypreParMatrix>
    DisplacementBlock(const std::vector<mfem::Vector> &weights) const;
 
 private:
    using Matrix = mfem::HypreParMatrix;
 
+   /// sum F, or null where no pair has it.
+   std::unique_ptr<Matrix> ForceChange() const;
+   /// K + @a contact_terms, which may be null, with unit rows and columns for
+   /// the prescribed dofs.
+   std::unique_ptr<Matrix>
+   WithBodies(std::unique_ptr<Matrix> contact_terms) const;
    /// K + sum (G^T W R + F), with unit rows and columns.
    std::unique_ptr<Matrix> MomentumBlock() const;
    /// B + dt (J^T W_p J_u + O), with zero columns for prescribed dofs.

@@ -155,8 +155,10 @@ void BlockAmgPreconditioner::TangentChanged()
 
 void BlockAmgPreconditioner::FollowTangent()
 {
-   displacement->Replace(*jacobian.Volume().stiffness,
+   std::unique_ptr<HypreParMatrix> stiffness = jacobian.StiffnessUnderTraction();
+   displacement->Replace(stiffness ? *stiffness : *jacobian.Volume().stiffness,
                          Gaps(jacobian.Contact()));
+   under_traction = std::move(stiffness);
    if (extra_iterations > tuning.rebuild_cost)
    {
       built = false;

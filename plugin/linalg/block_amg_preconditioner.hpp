@@ -53,6 +53,8 @@ private:
    mfem::real_t fresh_rate = 0.0;
    /// Iterations since, in excess of that rate.
    mfem::real_t extra_iterations = 0.0;
+   /// Null while contact has no tractions that follow the surfaces.
+   std::unique_ptr<mfem::HypreParMatrix> under_traction;
    std::unique_ptr<FilteredAmg> displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;
