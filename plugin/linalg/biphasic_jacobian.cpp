@@ -188,8 +188,7 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    y_p.SyncAliasMemory(y);
 }
 
-std::unique_ptr<HypreParMatrix>
-BiphasicJacobian::StiffnessUnderTraction() const
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::StiffnessUnderTraction() const
 {
    std::unique_ptr<HypreParMatrix> sum = ForceChange();
    return sum ? std::unique_ptr<HypreParMatrix>(

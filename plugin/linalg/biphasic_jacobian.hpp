@@ -87,9 +87,9 @@ public:
    bool IsContactSymmetric() const;
 
    /// K + sum F, the bodies and the tractions that follow their surfaces, or
-   /// null where no pair has F. A fluid's pressure in the bodies and the contact
-   /// traction that holds it are of one size and opposite signs there: apart
-   /// from each other they are far from definite. Collective.
+   /// null where no pair has F. A fluid's pressure in the bodies and the
+   /// contact traction that holds it are of one size and opposite signs there:
+   /// apart from each other they are far from definite. Collective.
    std::unique_ptr<mfem::HypreParMatrix> StiffnessUnderTraction() const;
 
    /// K + sum (F + G^T W G), with other @a weights W of the gaps, and unit rows

@@ -155,7 +155,8 @@ void BlockAmgPreconditioner::TangentChanged()
 
 void BlockAmgPreconditioner::FollowTangent()
 {
-   std::unique_ptr<HypreParMatrix> stiffness = jacobian.StiffnessUnderTraction();
+   std::unique_ptr<HypreParMatrix> stiffness =
+      jacobian.StiffnessUnderTraction();
    displacement->Replace(stiffness ? *stiffness : *jacobian.Volume().stiffness,
                          Gaps(jacobian.Contact()));
    under_traction = std::move(stiffness);
