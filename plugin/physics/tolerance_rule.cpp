@@ -39,9 +39,10 @@ real_t SweptVolume(const std::vector<ContactPair *> &pairs,
 ToleranceRule::ToleranceRule(BiphasicSpaces &spaces_,
                              BoundaryConditions &conditions_,
                              const std::vector<ContactPair *> &pairs_,
+                             const std::vector<TiedInterface *> &interfaces_,
                              const StageEquations &equations_, real_t relative_)
    : spaces(spaces_), conditions(conditions_), pairs(pairs_),
-     equations(equations_), relative(relative_)
+     interfaces(interfaces_), equations(equations_), relative(relative_)
 {
 }
 
@@ -70,7 +71,16 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    ties.Prescribe(stage.time, still.poses);
    ties.Write(still.poses, still.u);
    BlockVector residual(spaces.Offsets());
+   // Penalties of what a first guess tears apart are no measure.
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions(ContactStiffness::none);
+   }
    equations.ComputeResidual(still, residual);
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions();
+   }
    Vector moved(still.u);
    moved -= stage.u0;
    const real_t own_force = norm(residual.GetBlock(0));
@@ -93,6 +103,10 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    for (const ContactPair *pair : pairs)
    {
       pair->AddMagnitudes(u, p, momentum, mass);
+   }
+   for (const TiedInterface *tie : interfaces)
+   {
+      tie->AddMagnitudes(u, p, momentum, mass);
    }
    mass *= stage.dt;
    equations.Bodies().AddMagnitudes(stage.dt, u, p, momentum, mass);

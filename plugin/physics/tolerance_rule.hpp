@@ -17,6 +17,7 @@ public:
    /// Borrows all but @a relative, the part of momentum and mass.
    ToleranceRule(BiphasicSpaces &spaces, BoundaryConditions &conditions,
                  const std::vector<ContactPair *> &pairs,
+                 const std::vector<TiedInterface *> &interfaces,
                  const StageEquations &equations, mfem::real_t relative);
 
    /// @a force_per_volume as BiphasicLinearSolver has it.
@@ -31,6 +32,7 @@ private:
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
+   const std::vector<TiedInterface *> &interfaces;
    const StageEquations &equations;
    mfem::real_t relative;
 };
