@@ -18,9 +18,13 @@ namespace
 constexpr real_t forever = std::numeric_limits<real_t>::infinity();
 
 // Times what the bodies resist. Nothing comes loose, so that penalties may be
-// larger than those of contact: each augmentation leaves about a thousandth of
-// a jump.
+// larger than those of contact: each augmentation leaves a tenth to a
+// thousandth of a jump.
 constexpr real_t penalty_factor = 1e3;
+
+// Of the modulus: pressures below are round-off, such as those that are left
+// when all fluid has come to rest.
+constexpr real_t no_pressure = 1e-14;
 
 GapOptions SearchOptions(const TieScales &scales, int order,
                          const ContactTuning &tuning)
@@ -187,11 +191,17 @@ TieViolations TiedInterface::FindViolations() const
    return {worst[0], worst[1]};
 }
 
+real_t TiedInterface::PressureTolerance(real_t peak_pressure) const
+{
+   return std::max(pressure_tolerance * peak_pressure,
+                   no_pressure * scales.softest_modulus);
+}
+
 bool TiedInterface::IsWithinTolerance(const TieViolations &violations,
                                       real_t peak_pressure) const
 {
    return violations.displacement <= scales.displacement_tolerance &&
-          violations.pressure <= pressure_tolerance * peak_pressure;
+          violations.pressure <= PressureTolerance(peak_pressure);
 }
 
 bool TiedInterface::StiffenIfSlow(const TieViolations &violations,
@@ -211,7 +221,7 @@ bool TiedInterface::StiffenIfSlow(const TieViolations &violations,
    };
    check(violations.displacement, scales.displacement_tolerance,
          last.displacement, state.stiffening.gap);
-   check(violations.pressure, pressure_tolerance * peak_pressure, last.pressure,
+   check(violations.pressure, PressureTolerance(peak_pressure), last.pressure,
          state.stiffening.jump);
    if (raised)
    {

@@ -104,6 +104,7 @@ public:
 
 private:
    void UpdatePenalties();
+   mfem::real_t PressureTolerance(mfem::real_t peak_pressure) const;
 
    std::string name;
    BiphasicSpaces &spaces;

@@ -424,8 +424,9 @@ TEST_CASE("A rigid shell that only touches becomes a region of a rigid body")
 
 TEST_CASE("Tied surfaces are a tie, in all steps")
 {
-   std::string text = Replaced(FebColumn(), "\t\t</Nodes>",
-                               R"(			<node id="13">0,0,1</node>
+   std::string text =
+      Replaced(FebColumn(), "\t\t</Nodes>",
+               R"(			<node id="13">0,0,1</node>
 			<node id="14">1,0,1</node>
 			<node id="15">1,1,1</node>
 			<node id="16">0,1,1</node>
