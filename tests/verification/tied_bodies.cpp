@@ -212,8 +212,8 @@ Resistance ResistTied(const Motion &motion, Element::Type type, int order)
 }
 
 /// A pair between two rigid plates, of which the upper one comes down by 30 %
-/// until the time 1, and both are turned together by a right angle until the
-/// time 2.
+/// in three steps and stays there for one, before both are turned together by
+/// a right angle.
 class TurnedPair
 {
 public:
@@ -240,10 +240,10 @@ public:
       above.prescribed = below.prescribed;
       // Both turn about x through the origin, which carries what has been
       // shifted along z with it.
-      std::vector<real_t> times = {0.0, Time(4)};
-      std::vector<real_t> angles = {0.0, 0.0};
-      std::vector<real_t> along_y = {0.0, 0.0};
-      std::vector<real_t> along_z = {0.0, -0.3 * height};
+      std::vector<real_t> times = {0.0, Time(3), Time(4)};
+      std::vector<real_t> angles = {0.0, 0.0, 0.0};
+      std::vector<real_t> along_y = {0.0, 0.0, 0.0};
+      std::vector<real_t> along_z = {0.0, -0.3 * height, -0.3 * height};
       for (int i = 1; i <= steps - 4; i++)
       {
          const real_t angle = 0.5 * M_PI * i / (steps - 4);

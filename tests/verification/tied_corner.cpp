@@ -1,8 +1,8 @@
 // ranks: 1 2 3
 //
-// A block that fills a notch is tied on both faces of it, by one tie around the
-// edge or by two that share it, where the block's vertices belong to both. A
-// uniform stress passes, all that is outside being displaced like that.
+// A block that fills a notch is tied on both faces of it, by two ties that
+// share the edge, where vertices belong to both. A uniform stress passes, all
+// that is outside being displaced like that.
 
 #include "synovia/general/reduce.hpp"
 #include "synovia/synovia.hpp"
@@ -102,10 +102,9 @@ void Stretch(const Vector &x, Vector &u)
 
 TEST_CASE("A block is tied into a notch")
 {
-   const bool one_tie = GENERATE(true, false);
    const bool block_bears = GENERATE(true, false);
    const int order = GENERATE(1, 2);
-   CAPTURE(one_tie, block_bears, order);
+   CAPTURE(block_bears, order);
    NamedMesh mesh = NotchedCube();
    const IsotropicElastic solid(0.5, 0.3);
    const ConstantPermeability fluid(4e-3);
@@ -124,19 +123,11 @@ TEST_CASE("A block is tied into a notch")
    options.displacement_tolerance = 1e-12;
    const std::string bearing = block_bears ? "block" : "rest";
    const std::string other = block_bears ? "rest" : "block";
-   if (one_tie)
-   {
-      problem.AddTie({other + "_x", other + "_z"},
-                     {bearing + "_x", bearing + "_z"}, options);
-   }
-   else
-   {
-      problem.AddTie({other + "_x"}, {bearing + "_x"}, options, "across x");
-      problem.AddTie({other + "_z"}, {bearing + "_z"}, options, "across z");
-   }
+   problem.AddTie({other + "_x"}, {bearing + "_x"}, options, "across x");
+   problem.AddTie({other + "_z"}, {bearing + "_z"}, options, "across z");
    NonlinearOptions nonlinear;
    nonlinear.linear.method = LinearMethod::direct;
-   nonlinear.linear.relative_tolerance = 1e-13;
+   nonlinear.linear.relative_tolerance = 1e-11;
    problem.SetNonlinearOptions(nonlinear);
    TimeOptions times;
    times.step = times.end = 1e11;
