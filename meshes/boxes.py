@@ -115,9 +115,9 @@ def column_on_plate(size: float) -> dict[str, Body]:
 
 
 def osteochondral_core(size: float) -> dict[str, Body]:
-    return {"bone": box(0.4, -1.0, 1.0, (count(2, size), count(4, size)), 1.0,
+    return {"bone": box(0.4, 0.0, 1.0, (count(2, size), count(4, size)), 1.0,
                         "bone_"),
-            "cartilage": box(0.4, 0.0, 1.0, (count(3, size), count(12, size)),
+            "cartilage": box(0.4, 1.0, 1.0, (count(3, size), count(12, size)),
                              1.5, "cartilage_")}
 
 

@@ -12,8 +12,7 @@ struct TieDiagnostics
 {
    Point3 source_force{{0.0, 0.0, 0.0}};
    Point3 destination_force{{0.0, 0.0, 0.0}};
-   /// Moments of the nodal forces about the origin, where the nodes are now
-   /// (force x length).
+   /// Moments of the nodal forces about the origin (force x length).
    Point3 source_moment{{0.0, 0.0, 0.0}};
    Point3 destination_moment{{0.0, 0.0, 0.0}};
    TieViolations jumps;
@@ -21,7 +20,8 @@ struct TieDiagnostics
    mfem::real_t fluid_exchange = 0.0;
 };
 
-/// With the nodes displaced by @a u (true dofs). Collective.
+/// With moments where the nodes are displaced by @a u (true dofs), which is
+/// zero for moments of infinitesimal deformation. Collective.
 TieDiagnostics Diagnose(const TiedInterface &tie, const mfem::Vector &u);
 
 } // namespace synovia

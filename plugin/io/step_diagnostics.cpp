@@ -78,11 +78,10 @@ void AddContact(History::Row &row, const ContactPair &pair)
    }
 }
 
-void AddTie(History::Row &row, const TiedInterface &tie,
-            const Vector &displacement)
+void AddTie(History::Row &row, const TiedInterface &tie, const Vector &moved)
 {
    const std::string prefix = "tie." + tie.Name() + ".";
-   const TieDiagnostics now = Diagnose(tie, displacement);
+   const TieDiagnostics now = Diagnose(tie, moved);
    const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
    AddPoint(row, prefix + "force_", now.destination_force);
    row.emplace_back(prefix + "force_error", Length(sum));
@@ -148,9 +147,14 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    {
       AddContact(row, *pair);
    }
+   Vector moved(displacement);
+   if (problem.GetDeformation() == Deformation::infinitesimal)
+   {
+      moved = 0.0;
+   }
    for (const TiedInterface *tie : op.Interfaces())
    {
-      AddTie(row, *tie, displacement);
+      AddTie(row, *tie, moved);
    }
    const Vector &pressure = stepper.State().GetBlock(1);
    row.emplace_back("fluid.growth", op.Balance().growth);

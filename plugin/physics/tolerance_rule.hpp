@@ -27,8 +27,20 @@ public:
    /// exchanges, where @a mass is what is missing for balance
    /// (StageEquations::ComputeImbalance); false if that hardly changes it.
    bool Tighten(const mfem::Vector &mass, ResidualTolerance &tolerance) const;
+   /// Raises the tolerance to what round-off leaves at @a stage: a first guess,
+   /// such as rest, may have had none.
+   void AllowRoundOff(const ImplicitStage &stage,
+                      ResidualTolerance &tolerance) const;
 
 private:
+   /// What round-off leaves of both equations, as norms.
+   struct RoundOff
+   {
+      mfem::real_t momentum;
+      mfem::real_t mass;
+   };
+   RoundOff FindRoundOff(const ImplicitStage &stage) const;
+
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
