@@ -249,7 +249,7 @@ def core_stresses(times: tuple[float, ...], step: float = 0.625) -> list[float]:
     pressure, stress, found = [0.0] * n, 0.0, []
     for number in range(1, round(max(times) / step) + 1):
         still = solve([h / m * p for p, m in zip(pressure, modulus)])
-        moved = -0.1 * min(1.0, number * step / 500)
+        moved = -0.05 * min(1.0, number * step / 500)
         strains = sum(h * (stress + p) / m for p, m in zip(still, modulus))
         change = (moved - strains) / compliance
         stress += change
@@ -270,7 +270,7 @@ def osteochondral_core(run: Runs) -> None:
         close(row["tie.tidemark.force_z"] / 0.16,
               -row["reaction.cartilage_top.z"] / 0.16, 1e-6,
               f"the tie bears the stress at {t} s")
-        check(row["tie.tidemark.fluid_exchange"] < 0,
+        check(t > 500 or row["tie.tidemark.fluid_exchange"] < 0,
               f"fluid flows into the bone at {t} s")
     for row in rows:
         check(row["tie.tidemark.displacement_jump"] <= 1e-6
