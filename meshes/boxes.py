@@ -20,6 +20,11 @@
         surfaces plate_bottom, plate_top, plate_sides_x, plate_sides_y, and the
                  same of the column
 
+    osteochondral_core        cartilage, 0.4 x 0.4 x 1, on bone, 1 deep, with meshes
+        regions  bone, cartilage                that don't match
+        surfaces bone_bottom, bone_top, bone_sides_x, bone_sides_y, and the same
+                 of the cartilage
+
 Hexahedra, finer towards the surface where fluid leaves.
 
 Sample runs:
@@ -28,6 +33,7 @@ Sample runs:
   scripts/run_python meshes/boxes.py two_columns -o two_columns.msh
   scripts/run_python meshes/boxes.py two_columns -o coarse.msh --size 2
   scripts/run_python meshes/boxes.py column_on_plate -o plate.msh --size 2
+  scripts/run_python meshes/boxes.py osteochondral_core -o core.msh --size 2
 """
 
 from __future__ import annotations
@@ -108,6 +114,13 @@ def column_on_plate(size: float) -> dict[str, Body]:
                           1.5, "column_")}
 
 
+def osteochondral_core(size: float) -> dict[str, Body]:
+    return {"bone": box(0.4, 0.0, 1.0, (count(2, size), count(4, size)), 1.0,
+                        "bone_"),
+            "cartilage": box(0.4, 1.0, 1.0, (count(3, size), count(12, size)),
+                             1.5, "cartilage_")}
+
+
 def unconfined_compression(size: float) -> dict[str, Body]:
     radius, height = 1.5, 0.25
     gmsh.model.add("disc")
@@ -132,7 +145,7 @@ def unconfined_compression(size: float) -> dict[str, Body]:
 
 CASES = {function.__name__: function for function in
          (confined_compression, unconfined_compression, two_columns,
-          column_on_plate)}
+          column_on_plate, osteochondral_core)}
 
 
 def parse(argv: list[str] | None = None) -> argparse.Namespace:

@@ -3,6 +3,7 @@
 #include "synovia/cases/case_file.hpp"
 #include "synovia/cases/case_words.hpp"
 #include "synovia/contact/contact_diagnostics.hpp"
+#include "synovia/contact/tie_diagnostics.hpp"
 #include "synovia/general/command_line.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/general/load_curve.hpp"

@@ -338,6 +338,65 @@ void CheckContacts(const CaseFile &setup, CaseReading &reading)
    }
 }
 
+// Paths of the contact pairs, by surface.
+std::map<std::string, std::string> TouchingSurfaces(const CaseFile &setup)
+{
+   std::map<std::string, std::string> paths;
+   for (size_t i = 0; i < setup.contacts.size(); i++)
+   {
+      for (const auto *side :
+           {&setup.contacts[i].source, &setup.contacts[i].destination})
+      {
+         for (const std::string &surface : *side)
+         {
+            paths[surface] = EntryPath("contact", i);
+         }
+      }
+   }
+   return paths;
+}
+
+void CheckTies(const CaseFile &setup, CaseReading &reading)
+{
+   Once names(reading);
+   Once tied(reading);
+   const std::map<std::string, std::string> touching = TouchingSurfaces(setup);
+   for (size_t i = 0; i < setup.ties.size(); i++)
+   {
+      const TieCase &tie = setup.ties[i];
+      const std::string path = EntryPath("tie", i);
+      for (const auto &[side, key] :
+           {std::pair(&tie.source, ".source"),
+            std::pair(&tie.destination, ".destination")})
+      {
+         CheckNames(*side, path + key, "surface", reading);
+         for (const std::string &surface : Distinct(*side))
+         {
+            tied.Enter(surface, path + key,
+                       Quoted(surface) +
+                          " is tied already; list all surfaces that it is "
+                          "tied to on the other side of that tie");
+            const auto found = touching.find(surface);
+            reading.Require(
+               found == touching.end(), path + key,
+               Quoted(surface) +
+                  " is in a contact pair as well; a surface is "
+                  "tied or may touch" +
+                  (found == touching.end()
+                      ? ""
+                      : " (" + WhereIs(reading.Places(), found->second) + ")"));
+         }
+      }
+      if (!tie.source.empty() && !tie.destination.empty())
+      {
+         names.Enter(tie.Name(), path,
+                     "a tie is called " + Quoted(tie.Name()) +
+                        " already; give this one another name");
+         CheckFileName(tie.Name(), path + ".name", reading);
+      }
+   }
+}
+
 void CheckBoundaryNames(const CaseFile &setup, CaseReading &reading)
 {
    Once names(reading);
@@ -416,6 +475,7 @@ void CheckConditions(const CaseFile &setup, CaseReading &reading)
    CheckBoundaries(setup, reading);
    CheckRigidBodies(setup, reading);
    CheckContacts(setup, reading);
+   CheckTies(setup, reading);
 }
 
 void CheckConsistency(const CaseFile &setup, CaseReading &reading)

@@ -179,13 +179,28 @@ void Check(CaseFile &setup, CaseReading &reading)
 }
 } // namespace
 
-std::string ContactCase::Name() const
+namespace
+{
+std::string NameOfPair(const std::string &name,
+                       const std::vector<std::string> &source,
+                       const std::vector<std::string> &destination)
 {
    if (!name.empty() || source.empty() || destination.empty())
    {
       return name;
    }
    return source.front() + "-" + destination.front();
+}
+} // namespace
+
+std::string ContactCase::Name() const
+{
+   return NameOfPair(name, source, destination);
+}
+
+std::string TieCase::Name() const
+{
+   return NameOfPair(name, source, destination);
 }
 
 CaseFile ParseCase(const std::string &text, const std::string &source,

@@ -221,6 +221,19 @@ struct ContactCase
    std::string Name() const;
 };
 
+/// Surfaces that are glued.
+struct TieCase
+{
+   /// In the output; if empty, made of the first source and the first
+   /// destination.
+   std::string name;
+   std::vector<std::string> source;
+   std::vector<std::string> destination;
+   TieOptions options;
+
+   std::string Name() const;
+};
+
 /// A part of a run. What it prescribes holds until a later step prescribes it
 /// otherwise or releases it; times of its curves count from its beginning.
 struct StepCase
@@ -272,6 +285,7 @@ struct CaseFile
    std::vector<Ligament> ligaments;
    std::vector<Joint> joints;
    std::vector<ContactCase> contacts;
+   std::vector<TieCase> ties;
    /// If there are steps, it ends with the last one.
    TimeOptions time;
    std::vector<StepCase> steps;

@@ -323,6 +323,9 @@ KeyTable CaseKeys(CaseFile &setup)
                     "reports how two rigid bodies are placed beside each "
                     "other, and prescribes it");
    keys.List<ContactCase>("contact", setup.contacts, ContactKeys, "");
+   keys.List<TieCase>("tie", setup.ties, TieKeys,
+                      "glues surfaces of bodies whose meshes don't match: "
+                      "displacement and fluid pressure are continuous");
    keys.Table("time", TimeKeys(setup.time, !setup.steps.empty()), "");
    keys.List<StepCase>("step", setup.steps, StepKeys,
                        "parts of the run, one after the other");

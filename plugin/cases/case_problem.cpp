@@ -41,6 +41,17 @@ Array<int> TiedSurfaces(const RigidBodyCase &body, const NamedMesh &mesh)
    return tied;
 }
 
+Array<int> GluedSurfaces(const CaseFile &setup, const NamedMesh &mesh)
+{
+   Array<int> glued;
+   for (const TieCase &tie : setup.ties)
+   {
+      glued.Append(NamedBoundaries(mesh, tie.source));
+      glued.Append(NamedBoundaries(mesh, tie.destination));
+   }
+   return glued;
+}
+
 Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh)
 {
    Array<int> touching;
@@ -149,6 +160,11 @@ void CheckSurfaces(const CaseFile &setup, const NamedMesh &mesh,
       check(setup.contacts[i].source, "contact", i, "source");
       check(setup.contacts[i].destination, "contact", i, "destination");
    }
+   for (size_t i = 0; i < setup.ties.size(); i++)
+   {
+      check(setup.ties[i].source, "tie", i, "source");
+      check(setup.ties[i].destination, "tie", i, "destination");
+   }
 }
 
 void CheckSupports(const CaseFile &setup, const NamedMesh &mesh,
@@ -243,7 +259,11 @@ CaseProblem::CaseProblem(const CaseFile &setup, NamedMesh &mesh)
    : problem(Verified(setup, mesh), setup.space)
 {
    CaseReading reading(setup.places);
-   CheckSupports(setup, mesh, FindBodies(mesh, problem.Spaces()), reading);
+   for (const TieCase &tie : setup.ties)
+   {
+      problem.AddTie(tie.source, tie.destination, tie.options, tie.Name());
+   }
+   CheckSupports(setup, mesh, problem.Bodies(), reading);
    reading.ThrowIfAny();
 
    for (size_t i = 0; i < setup.materials.size(); i++)
@@ -311,8 +331,8 @@ void CaseProblem::CheckRigidBodies(const CaseFile &setup, CaseReading &reading)
                  });
    if (setup.contacts.empty() && reading.Count() == 0)
    {
-      const RigidFreedoms freedoms(FindBodies(problem.Mesh(), problem.Spaces()),
-                                   problem.Spaces(), conditions);
+      const RigidFreedoms freedoms(problem.Bodies(), problem.Spaces(),
+                                   conditions);
       const std::string loose = freedoms.ValidateSupports();
       reading.Require(loose.empty(), "rigid_body", loose);
    }

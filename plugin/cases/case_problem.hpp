@@ -50,7 +50,8 @@ mfem::Array<int> HeldSurfaces(const CaseFile &setup, const NamedMesh &mesh,
 /// regions and shape, likewise. Collective.
 mfem::Array<int> TiedSurfaces(const RigidBodyCase &body, const NamedMesh &mesh);
 
-/// Attributes of the boundaries in contact pairs, likewise.
+/// Attributes of the boundaries in ties, and in contact pairs, likewise.
+mfem::Array<int> GluedSurfaces(const CaseFile &setup, const NamedMesh &mesh);
 mfem::Array<int> ContactSurfaces(const CaseFile &setup, const NamedMesh &mesh);
 
 } // namespace synovia

@@ -309,4 +309,33 @@ KeyTable ContactKeys(ContactCase &contact)
    return keys;
 }
 
+KeyTable TieKeys(TieCase &tie)
+{
+   KeyTable keys;
+   keys.Value("name", tie.name, "",
+              "of the tie in the output; made of source and destination if "
+              "left out");
+   keys.Value("source", tie.source, "", "physical surfaces of one side")
+      .Required();
+   keys
+      .Value("destination", tie.destination, "",
+             "physical surfaces of the other side, which carries the "
+             "tractions: the finer one")
+      .Required();
+   TieOptions &options = tie.options;
+   keys.Auto("search_radius", options.search_radius, quantities::length,
+             "how far the undeformed surfaces look for each other; half of the "
+             "thickness of the thinner layer");
+   keys.Auto("displacement_tolerance", options.displacement_tolerance,
+             quantities::length,
+             "largest difference of the displacements left; 1e-6 of the "
+             "thickness of the thinner layer");
+   keys
+      .Value("pressure_tolerance", options.pressure_tolerance, "",
+             "largest difference of the fluid's pressures left, as a fraction "
+             "of the peak pressure")
+      .Positive();
+   return keys;
+}
+
 } // namespace synovia

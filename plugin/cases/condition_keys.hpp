@@ -15,4 +15,6 @@ KeyTable StepRigidBodyKeys(RigidBodyCase &body);
 /// Those of steps are the same.
 KeyTable ContactKeys(ContactCase &contact);
 
+KeyTable TieKeys(TieCase &tie);
+
 } // namespace synovia

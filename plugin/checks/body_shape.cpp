@@ -161,6 +161,7 @@ std::vector<real_t> MeasureThickness(const CaseFile &setup,
    ParMesh &mesh = named.Get();
    const Array<int> touching = ContactSurfaces(setup, named);
    const Array<int> loaded = LoadedSurfaces(setup, named);
+   const Array<int> glued = GluedSurfaces(setup, named);
    std::vector<real_t> thickness;
    for (const Body &body : bodies)
    {
@@ -169,8 +170,12 @@ std::vector<real_t> MeasureThickness(const CaseFile &setup,
       if (body.Touches(pressed))
       {
          const TriangulatedSurface outside(
-            mesh, [&](int i)
-            { return body.regions.count(RegionBehind(mesh, i)) > 0; });
+            mesh,
+            [&](int i)
+            {
+               return body.regions.count(RegionBehind(mesh, i)) > 0 &&
+                      glued.Find(mesh.GetBdrAttribute(i)) < 0;
+            });
          median = MedianOverRanks(WaysThrough(mesh, body, outside, pressed),
                                   named.GetComm());
       }

@@ -14,8 +14,7 @@ std::vector<std::string> FindWarnings(const CaseFile &setup,
                                       CaseProblem &problem,
                                       const std::vector<PairAtStart> &pairs)
 {
-   const std::vector<Body> bodies =
-      FindBodies(problem.Get().Mesh(), problem.Get().Spaces());
+   const std::vector<Body> bodies = problem.Get().Bodies();
    return FindWarnings(setup, problem, pairs, bodies,
                        MeasureRegions(setup, problem, bodies));
 }

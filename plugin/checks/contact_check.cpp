@@ -70,7 +70,7 @@ std::vector<PairAtStart> CheckContact(const CaseFile &setup,
    reading.Catch(setup.rigid_bodies.empty() ? "boundary" : "rigid_body",
                  [&]()
                  {
-                    u = MakeFirstApproach(FindBodies(mesh, spaces), spaces,
+                    u = MakeFirstApproach(problem.Get().Bodies(), spaces,
                                           problem.Get().Conditions(), borrowed)
                            .displacement;
                  });

@@ -53,6 +53,11 @@ SurfaceConditions::SurfaceConditions(const CaseFile &setup,
          by_attribute[attribute].rigid = true;
       }
    }
+   for (const int attribute : GluedSurfaces(setup, mesh))
+   {
+      by_attribute[attribute].none = false;
+      by_attribute[attribute].tied = true;
+   }
    for (const int attribute : ContactSurfaces(setup, mesh))
    {
       by_attribute[attribute].none = false;
@@ -89,10 +94,11 @@ std::string SurfaceConditions::Text(int attribute) const
    add(c.springs, "springs");
    add(c.loaded, "traction");
    add(c.contact, "contact");
+   add(c.tied, "tied");
    add(solid.empty(), "traction-free");
    add(c.pressure, "pressure");
    add(c.flux, "flux");
-   add(!c.pressure && !c.flux && !c.contact, "sealed");
+   add(!c.pressure && !c.flux && !c.contact && !c.tied, "sealed");
    return solid;
 }
 

@@ -35,6 +35,7 @@ private:
       bool rigid = false;
       bool force = false;
       bool contact = false;
+      bool tied = false;
       bool pressure = false;
       bool flux = false;
    };

@@ -1,5 +1,6 @@
 #include "synovia/contact/contact_diagnostics.hpp"
 #include "synovia/contact/contact_area.hpp"
+#include "synovia/contact/nodal_resultants.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
@@ -15,38 +16,6 @@ namespace
 // Stiffness against closing a gap, relative to that of the softer body: each
 // side gives way by half.
 constexpr real_t closing_part = 0.5;
-
-Point3 SumOverRanks(Point3 value, MPI_Comm comm)
-{
-   MPI_Allreduce(MPI_IN_PLACE, value.data(), 3, MPITypeMap<real_t>::mpi_type,
-                 MPI_SUM, comm);
-   return value;
-}
-
-Point3 SumOfDofs(const Vector &force, const Array<int> &dofs, MPI_Comm comm)
-{
-   Point3 sum{{0.0, 0.0, 0.0}};
-   for (const int dof : dofs)
-   {
-      sum[dof % 3] += force[dof];
-   }
-   return SumOverRanks(sum, comm);
-}
-
-// About the origin.
-Point3 SumOfMoments(const Vector &force, const Vector &position,
-                    const Array<int> &dofs, MPI_Comm comm)
-{
-   Point3 sum{{0.0, 0.0, 0.0}};
-   // The three of a node follow each other.
-   for (int i = 0; i < dofs.Size(); i += 3)
-   {
-      const Point3 x{position[i], position[i + 1], position[i + 2]};
-      const Point3 f{force[dofs[i]], force[dofs[i] + 1], force[dofs[i] + 2]};
-      sum = Sum(sum, 1.0, Cross(x, f));
-   }
-   return SumOverRanks(sum, comm);
-}
 
 FrictionDiagnostics DiagnoseFriction(const ContactPair &pair)
 {
@@ -70,10 +39,10 @@ FrictionDiagnostics DiagnoseFriction(const ContactPair &pair)
    result.force = SumOverRanks(result.force, comm);
    const real_t pressed = Length(SumOverRanks(normal, comm));
    result.coefficient = pressed > 0.0 ? Length(result.force) / pressed : 0.0;
-   touching = synovia::SumOverRanks(touching, comm);
-   sliding = synovia::SumOverRanks(sliding, comm);
+   touching = SumOverRanks(touching, comm);
+   sliding = SumOverRanks(sliding, comm);
    result.sliding = touching > 0.0 ? sliding / touching : 0.0;
-   result.dissipation = synovia::SumOverRanks(state.friction.dissipation, comm);
+   result.dissipation = SumOverRanks(state.friction.dissipation, comm);
    return result;
 }
 

@@ -49,15 +49,21 @@ RimVertices::RimVertices(const ContactSurface &destination_,
 void RimVertices::Update(const SurfacePairing &pairing,
                          const Vector &covered_area)
 {
-   const SurfaceVertices &m = destination.Vertices();
-   MPI_Comm comm = destination.Spaces().GetComm();
-   gathering.reset();
-   Vector at_rim(m.Size());
+   Vector at_rim(destination.Vertices().Size());
    for (int j = 0; j < at_rim.Size(); j++)
    {
       const bool little = covered_area[j] < rim_coverage * whole_area[j];
       at_rim[j] = covered_area[j] > 0.0 && little ? 1.0 : 0.0;
    }
+   UpdateThose(pairing, at_rim);
+}
+
+void RimVertices::UpdateThose(const SurfacePairing &pairing,
+                              const Vector &at_rim)
+{
+   const SurfaceVertices &m = destination.Vertices();
+   MPI_Comm comm = destination.Spaces().GetComm();
+   gathering.reset();
    if (!AnyRank(at_rim.Size() > 0 && at_rim.Max() > 0.0, comm))
    {
       return;

@@ -24,6 +24,9 @@ public:
    /// Finds them, for the points of @a pairing and the areas around vertices
    /// that these make up. Collective.
    void Update(const SurfacePairing &pairing, const mfem::Vector &covered_area);
+   /// The same for vertices that are given: those that are 1 in @a without.
+   /// Collective.
+   void UpdateThose(const SurfacePairing &pairing, const mfem::Vector &without);
 
    /// Turns sums over shape functions (an entry, or a row, a vertex) into sums
    /// over the functions of multipliers, zero at the rim. Collective.

@@ -1,6 +1,7 @@
 #include "synovia/feb/feb_model.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace synovia
 {
@@ -52,13 +53,75 @@ bool IsRigid(const std::string &surface, FebModel &model)
    return nodes && model.AreRigid(*nodes);
 }
 
+/// Names of primary and secondary surfaces, in the model and in the mesh; none
+/// of them after an error.
+struct FebSurfacePair
+{
+   std::array<std::string, 2> facets;
+   std::array<std::string, 2> surfaces;
+
+   bool IsThere() const { return !surfaces[0].empty() && !surfaces[1].empty(); }
+};
+
+FebSurfacePair ReadSurfaces(const FebInput &contact, FebModel &model)
+{
+   for (const char *name : {"flip_primary", "flip_secondary",
+                            "shell_bottom_primary", "shell_bottom_secondary"})
+   {
+      contact.Expect(name, false, "surfaces of shells are not known");
+   }
+   FebSurfacePair pair;
+   const std::string name = contact.NeededAttribute("surface_pair");
+   const auto found = model.mesh.surface_pairs.find(name);
+   if (found == model.mesh.surface_pairs.end())
+   {
+      contact.Stop("there is no pair of surfaces called \"" + name + "\"");
+      return pair;
+   }
+   pair.facets = {found->second.first, found->second.second};
+   for (int i = 0; i < 2; i++)
+   {
+      pair.surfaces[i] = model.surfaces->OfFacets(pair.facets[i], contact);
+   }
+   return pair;
+}
+
+void ReadTie(const FebInput &contact, FebModel &model)
+{
+   TieCase tie;
+   tie.name = PlainName(contact.Attribute("name"));
+   IgnorePenalties(contact);
+   const FebSurfacePair pair = ReadSurfaces(contact, model);
+   for (const std::string &facets : pair.facets)
+   {
+      if (pair.IsThere() && IsRigid(facets, model))
+      {
+         contact.Stop("the surface \"" + facets +
+                      "\" is of a rigid body; tie the other one to that body");
+         return;
+      }
+   }
+   tie.destination = {pair.surfaces[0]};
+   tie.source = {pair.surfaces[1]};
+   if (pair.IsThere())
+   {
+      model.setup.ties.push_back(tie);
+   }
+}
+
 void ReadPair(const FebInput &contact, FebModel &model)
 {
    const std::string type = contact.NeededAttribute("type");
+   if (type == "tied-biphasic" || type == "tied-elastic")
+   {
+      ReadTie(contact, model);
+      return;
+   }
    if (type != "sliding-biphasic" && type != "sliding2")
    {
       contact.StopAll("contact of the type \"" + type +
-                      "\" is not known; there is sliding-biphasic");
+                      "\" is not known; there are sliding-biphasic, "
+                      "tied-biphasic and tied-elastic");
       return;
    }
    ContactCase pair;
@@ -67,26 +130,11 @@ void ReadPair(const FebInput &contact, FebModel &model)
    IgnorePenalties(contact);
    pair.options.friction = ReadFriction(contact);
    contact.Expect("node_reloc", false, "nodes are not moved before contact");
-   for (const char *name : {"flip_primary", "flip_secondary",
-                            "shell_bottom_primary", "shell_bottom_secondary"})
-   {
-      contact.Expect(name, false, "surfaces of shells are not known");
-   }
-   const std::string name = contact.NeededAttribute("surface_pair");
-   const auto surfaces = model.mesh.surface_pairs.find(name);
-   if (surfaces == model.mesh.surface_pairs.end())
-   {
-      contact.Stop("there is no pair of surfaces called \"" + name + "\"");
-      return;
-   }
-   const std::string primary =
-      model.surfaces->OfFacets(surfaces->second.first, contact);
-   const std::string secondary =
-      model.surfaces->OfFacets(surfaces->second.second, contact);
-   pair.destination = {primary};
-   pair.source = {secondary};
-   const bool rigid_primary = IsRigid(surfaces->second.first, model);
-   if (rigid_primary && IsRigid(surfaces->second.second, model))
+   const FebSurfacePair surfaces = ReadSurfaces(contact, model);
+   pair.destination = {surfaces.surfaces[0]};
+   pair.source = {surfaces.surfaces[1]};
+   const bool rigid_primary = IsRigid(surfaces.facets[0], model);
+   if (rigid_primary && IsRigid(surfaces.facets[1], model))
    {
       contact.Stop("both surfaces are of rigid bodies");
    }
@@ -95,7 +143,7 @@ void ReadPair(const FebInput &contact, FebModel &model)
       // Rigid surfaces bear no multipliers.
       std::swap(pair.destination, pair.source);
    }
-   if (!primary.empty() && !secondary.empty())
+   if (surfaces.IsThere())
    {
       model.setup.contacts.push_back(pair);
    }

@@ -78,6 +78,7 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
    input.Attribute("id");
    const size_t boundaries = model.setup.boundaries.size();
    const size_t contacts = model.setup.contacts.size();
+   const size_t ties = model.setup.ties.size();
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
       {"Boundary", ReadBoundary},
@@ -95,6 +96,11 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
    {
       rigid->StopAll("rigid bodies are only known to move in one way in all "
                      "steps");
+   }
+   if (model.setup.ties.size() > ties && model.setup.steps.size() > 1)
+   {
+      input.Find("Contact")->Stop("surfaces are only known to be tied in all "
+                                  "steps");
    }
    Move(boundaries, model.setup.boundaries, step.boundaries);
    Move(contacts, model.setup.contacts, step.contacts);

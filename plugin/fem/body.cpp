@@ -105,4 +105,33 @@ std::vector<Body> FindBodies(const NamedMesh &named, BiphasicSpaces &spaces)
    return bodies;
 }
 
+std::vector<Body> JoinBodies(const std::vector<Body> &bodies,
+                             const std::vector<Array<int>> &joined)
+{
+   std::vector<Body> all(bodies);
+   for (const Array<int> &attributes : joined)
+   {
+      std::vector<Body> others;
+      int first = -1;
+      for (const Body &body : all)
+      {
+         if (first >= 0 && body.Touches(attributes))
+         {
+            Body &whole = others[first];
+            whole.name += " and " + body.name;
+            whole.regions.insert(body.regions.begin(), body.regions.end());
+            whole.boundary.insert(body.boundary.begin(), body.boundary.end());
+            continue;
+         }
+         if (body.Touches(attributes))
+         {
+            first = static_cast<int>(others.size());
+         }
+         others.push_back(body);
+      }
+      all = others;
+   }
+   return all;
+}
+
 } // namespace synovia

@@ -10,7 +10,7 @@
 namespace synovia
 {
 
-/// Regions that share vertices, and so move together.
+/// Regions that share vertices or are joined, and so move together.
 struct Body
 {
    /// The names of its regions.
@@ -24,5 +24,10 @@ struct Body
 
 /// The bodies of a mesh, by their first attribute. Collective.
 std::vector<Body> FindBodies(const NamedMesh &mesh, BiphasicSpaces &spaces);
+
+/// The same bodies with those as one that have any of the attributes of the
+/// boundary in one of the lists @a joined.
+std::vector<Body> JoinBodies(const std::vector<Body> &bodies,
+                             const std::vector<mfem::Array<int>> &joined);
 
 } // namespace synovia

@@ -120,6 +120,12 @@ void AddFingerprint(BiphasicProblem &problem, CheckpointContents &contents)
       pairs += (pairs.empty() ? "" : ", ") + pair->Name();
    }
    contents.texts["contact pairs"] = pairs.empty() ? "none" : pairs;
+   std::string ties;
+   for (const TiedInterface *tie : problem.Operator().Interfaces())
+   {
+      ties += (ties.empty() ? "" : ", ") + tie->Name();
+   }
+   contents.texts["ties"] = ties.empty() ? "none" : ties;
    std::string rigid;
    for (const RigidBody &body : problem.Conditions().RigidBodies())
    {
@@ -140,7 +146,7 @@ std::string CompareFingerprints(const CheckpointContents &theirs,
    };
    for (const char *name :
         {"contact pairs", "deformation", "degrees of freedom", "elements",
-         "materials", "order", "regions", "rigid bodies", "surfaces"})
+         "materials", "order", "regions", "rigid bodies", "surfaces", "ties"})
    {
       const auto there = theirs.texts.find(name);
       const std::string &here = ours.texts.at(name);

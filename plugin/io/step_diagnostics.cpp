@@ -1,5 +1,6 @@
 #include "synovia/io/step_diagnostics.hpp"
 #include "synovia/contact/contact_diagnostics.hpp"
+#include "synovia/contact/tie_diagnostics.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
@@ -76,6 +77,24 @@ void AddContact(History::Row &row, const ContactPair &pair)
       row.emplace_back(prefix + "dissipation", now.friction.dissipation);
    }
 }
+
+void AddTie(History::Row &row, const TiedInterface &tie, const Vector &moved)
+{
+   const std::string prefix = "tie." + tie.Name() + ".";
+   const TieDiagnostics now = Diagnose(tie, moved);
+   const Point3 sum = Sum(now.source_force, 1.0, now.destination_force);
+   AddPoint(row, prefix + "force_", now.destination_force);
+   row.emplace_back(prefix + "force_error", Length(sum));
+   const Point3 moment = Sum(now.source_moment, 1.0, now.destination_moment);
+   AddPoint(row, prefix + "moment_", now.destination_moment);
+   row.emplace_back(prefix + "moment_error", Length(moment));
+   row.emplace_back(prefix + "displacement_jump", now.jumps.displacement);
+   if (tie.Scales().exchanges)
+   {
+      row.emplace_back(prefix + "pressure_jump", now.jumps.pressure);
+      row.emplace_back(prefix + "fluid_exchange", now.fluid_exchange);
+   }
+}
 } // namespace
 
 History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
@@ -127,6 +146,15 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    for (const ContactPair *pair : op.Pairs())
    {
       AddContact(row, *pair);
+   }
+   Vector moved(displacement);
+   if (problem.GetDeformation() == Deformation::infinitesimal)
+   {
+      moved = 0.0;
+   }
+   for (const TiedInterface *tie : op.Interfaces())
+   {
+      AddTie(row, *tie, moved);
    }
    const Vector &pressure = stepper.State().GetBlock(1);
    row.emplace_back("fluid.growth", op.Balance().growth);

@@ -20,6 +20,10 @@ namespace synovia
 ///     contact.<pair>.friction_x|y|z (part of force), .friction_coefficient
 ///     (friction over normal force), .sliding (part of the area in contact),
 ///     .dissipation (work since the start): of pairs with friction
+///     tie.<name>.force_x|y|z, .moment_x|y|z (on the destination, about the
+///     origin), .force_error, .moment_error (both sides' sum),
+///     .displacement_jump, .pressure_jump, .fluid_exchange (the last two where
+///     both sides have fluid)
 ///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
 ///     fluid.peak_pressure
 ///     solver.newton, .augmentations, .linear, .most_linear

@@ -69,6 +69,10 @@ bool AugmentedNewton::SolveContact(ImplicitStage &stage,
       equations.Add(1.0, step, stage);
       equations.EvaluateContact(stage);
       contact.Update(stage, ContactStiffness::penalty);
+      if (!contact.Interfaces().empty())
+      {
+         rule.AllowRoundOff(stage, tolerance);
+      }
    }
    return contact.FailIterations(options.max_newton);
 }
@@ -99,6 +103,15 @@ bool AugmentedNewton::FailAugmentations(
               ToText(pair.Scales().gap_tolerance) + "), pressure jump " +
               ToText(violations.pairs[i].pressure_jump) + " (peak pressure " +
               ToText(violations.peak_pressure) + ")";
+   }
+   for (std::size_t i = 0; i < contact.Interfaces().size(); i++)
+   {
+      const TiedInterface &tie = *contact.Interfaces()[i];
+      left += "; tie " + tie.Name() + ": displacement jump " +
+              ToText(violations.interfaces[i].displacement) + " (tolerance " +
+              ToText(tie.Scales().displacement_tolerance) +
+              "), pressure jump " + ToText(violations.interfaces[i].pressure) +
+              " (peak pressure " + ToText(violations.peak_pressure) + ")";
    }
    return record.report.Fail("gap or pressure jump out of tolerance after " +
                              std::to_string(options.max_augmentations) +

@@ -57,14 +57,15 @@ BiphasicOperator::BiphasicOperator(
    BiphasicSpaces &spaces_, const std::vector<Body> &body_list,
    const std::function<std::unique_ptr<BodyForm>()> &make_bodies,
    BoundaryConditions &conditions_, std::vector<ContactPair *> pairs_,
-   const NonlinearOptions &options_)
+   std::vector<TiedInterface *> interfaces_, const NonlinearOptions &options_)
    : TimeDependentOperator(0, 0.0, IMPLICIT), spaces(spaces_),
-     conditions(conditions_), pairs(std::move(pairs_)), options(options_),
-     equations(spaces, conditions, pairs,
+     conditions(conditions_), pairs(std::move(pairs_)),
+     interfaces(std::move(interfaces_)), options(options_),
+     equations(spaces, conditions, pairs, interfaces,
                MakeTimed(record.times.assembly, make_bodies)),
      start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
-     solver(body_list, spaces, conditions, pairs, start, equations, options,
-            record)
+     solver(body_list, spaces, conditions, pairs, interfaces, start, equations,
+            options, record)
 {
    height = width =
       spaces.Offsets().Last() + equations.Bodies().ConservedSize();
@@ -189,6 +190,10 @@ void BiphasicOperator::AcceptStep()
    {
       pair->Enforcement().Accept();
    }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Accept();
+   }
 }
 
 void BiphasicOperator::ForgetRate()
@@ -197,6 +202,10 @@ void BiphasicOperator::ForgetRate()
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().ForgetPast();
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->ForgetPast();
    }
 }
 
@@ -226,6 +235,10 @@ void BiphasicOperator::RejectStep()
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().Restore();
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Restore();
    }
 }
 
@@ -267,6 +280,10 @@ void BiphasicOperator::Archive(StateArchive &archive)
    for (ContactPair *pair : pairs)
    {
       pair->Archive(archive);
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Archive(archive);
    }
    if (archive.Reads())
    {

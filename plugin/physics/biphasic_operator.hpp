@@ -36,7 +36,7 @@ public:
       BiphasicSpaces &spaces, const std::vector<Body> &body_list,
       const std::function<std::unique_ptr<BodyForm>()> &make_bodies,
       BoundaryConditions &conditions, std::vector<ContactPair *> pairs,
-      const NonlinearOptions &options);
+      std::vector<TiedInterface *> interfaces, const NonlinearOptions &options);
 
    void ImplicitSolve(const mfem::real_t dt, const mfem::Vector &x,
                       mfem::Vector &k) override;
@@ -67,6 +67,7 @@ public:
    WorkCounts Work() const;
 
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
+   const std::vector<TiedInterface *> &Interfaces() const { return interfaces; }
    const StageEquations &Equations() const { return equations; }
    const BiphasicLinearSolver &LinearSolver() const
    {
@@ -85,6 +86,7 @@ private:
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    std::vector<ContactPair *> pairs;
+   std::vector<TiedInterface *> interfaces;
    NonlinearOptions options;
    SolveRecord record;
    StageEquations equations;

@@ -264,6 +264,53 @@ void BiphasicProblem::AddContact(const std::vector<std::string> &sources,
        name.empty() ? sources.front() + "-" + destinations.front() : name});
 }
 
+void BiphasicProblem::AddTie(const std::vector<std::string> &sources,
+                             const std::vector<std::string> &destinations,
+                             const TieOptions &options, const std::string &name)
+{
+   VerifyOpen();
+   MFEM_VERIFY(!sources.empty() && !destinations.empty(),
+               "each side of a tie needs a boundary");
+   tie_setups.push_back(
+      {Boundaries(sources), Boundaries(destinations), options,
+       name.empty() ? sources.front() + "-" + destinations.front() : name});
+}
+
+void BiphasicProblem::VerifyTies() const
+{
+   for (const TieSetup &tie : tie_setups)
+   {
+      for (const PairSetup &pair : pair_setups)
+      {
+         for (const Array<int> *touching : {&pair.source, &pair.destination})
+         {
+            for (const int surface : *touching)
+            {
+               if (tie.source.Find(surface) >= 0 ||
+                   tie.destination.Find(surface) >= 0)
+               {
+                  throw Error("tie \"" + tie.name + "\": \"" +
+                              NameOf(mesh.Boundaries(), surface) +
+                              "\" is in the contact pair \"" + pair.name +
+                              "\" as well; a surface is tied or may touch");
+               }
+            }
+         }
+      }
+   }
+}
+
+std::vector<Body> BiphasicProblem::Bodies()
+{
+   std::vector<Array<int>> tied;
+   for (const TieSetup &tie : tie_setups)
+   {
+      tied.push_back(tie.source);
+      tied.back().Append(tie.destination);
+   }
+   return JoinBodies(FindBodies(mesh, spaces), tied);
+}
+
 Array<int>
 BiphasicProblem::Boundaries(const std::vector<std::string> &names) const
 {
@@ -355,9 +402,18 @@ BiphasicOperator &BiphasicProblem::Operator()
             setup.options, deformation, nonlinear.tuning.contact));
          borrowed.push_back(pairs.back().get());
       }
+      VerifyTies();
+      std::vector<TiedInterface *> borrowed_ties;
+      for (const TieSetup &setup : tie_setups)
+      {
+         interfaces.push_back(std::make_unique<TiedInterface>(
+            setup.name, spaces, materials, setup.source, setup.destination,
+            setup.options, nonlinear.tuning.contact));
+         borrowed_ties.push_back(interfaces.back().get());
+      }
       op = std::make_unique<BiphasicOperator>(
-         spaces, FindBodies(mesh, spaces), [this] { return MakeBodies(); },
-         *conditions, borrowed, nonlinear);
+         spaces, Bodies(), [this] { return MakeBodies(); }, *conditions,
+         borrowed, borrowed_ties, nonlinear);
    }
    return *op;
 }

@@ -115,6 +115,15 @@ public:
                    const std::vector<std::string> &destinations,
                    const ContactOptions &options, const std::string &name);
 
+   /// Glues boundaries of different bodies, whose meshes need not match:
+   /// displacement and fluid pressure are continuous across them. Boundaries of
+   /// the @a destinations carry the tractions: the finer side. Where one side
+   /// has no fluid, the other is sealed.
+   void AddTie(const std::vector<std::string> &sources,
+               const std::vector<std::string> &destinations,
+               const TieOptions &options = TieOptions(),
+               const std::string &name = "");
+
    void SetNonlinearOptions(const NonlinearOptions &options);
 
    /// For conditions that have no name here, such as coefficients.
@@ -132,6 +141,9 @@ public:
    /// Throws Error if a pressure or a flux is prescribed on a boundary behind
    /// which no region has fluid. Every region must have a material. Collective.
    void VerifyFluid();
+
+   /// What moves together: regions that share vertices or are tied.
+   std::vector<Body> Bodies();
 
    /// Assembled at the first call, after VerifyMaterials().
    BiphasicOperator &Operator();
@@ -195,6 +207,8 @@ private:
    void NeedFluid(const std::string &boundary);
    void AddGravity();
    std::unique_ptr<BodyForm> MakeBodies();
+   /// Throws Error where a surface of a tie may touch another as well.
+   void VerifyTies() const;
 
    NamedMesh &mesh;
    Deformation deformation;
@@ -210,6 +224,15 @@ private:
       std::string name;
    };
    std::vector<PairSetup> pair_setups;
+   std::vector<std::unique_ptr<TiedInterface>> interfaces;
+   struct TieSetup
+   {
+      mfem::Array<int> source;
+      mfem::Array<int> destination;
+      TieOptions options;
+      std::string name;
+   };
+   std::vector<TieSetup> tie_setups;
    NonlinearOptions nonlinear;
    std::vector<Support> supports;
    std::vector<std::string> spring_names;

@@ -140,6 +140,11 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
       multipliers.push_back(
          pair->FindMultiplierStep(displacement, step.GetBlock(1)));
    }
+   std::vector<TieMultipliers> tied;
+   for (const TiedInterface *tie : contact.Interfaces())
+   {
+      tied.push_back(tie->FindMultiplierStep(displacement, step.GetBlock(1)));
+   }
    // From the stage's start the step and the supports' increments go together,
    // and what there was is no measure for what there will be; nor is it where
    // tractions of friction are released or caught.
@@ -148,25 +153,30 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
                            ? std::numeric_limits<real_t>::infinity()
                            : Assess(stage, ContactStiffness::bodies, tolerance);
    stage.from_start = false;
-   Add(1.0, stage, multipliers);
+   Add(1.0, stage, multipliers, tied);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
    whole_step = obstacle.empty();
    for (real_t share = 0.5;
         !obstacle.empty() && !from_start && share >= least_share; share *= 0.5)
    {
-      Add(-share, stage, multipliers);
+      Add(-share, stage, multipliers, tied);
       obstacle = FindObstacle(stage, limit, tolerance);
    }
    return obstacle.empty() || record.report.Fail(obstacle);
 }
 
 void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
-                           const std::vector<MultiplierStep> &multipliers)
+                           const std::vector<MultiplierStep> &multipliers,
+                           const std::vector<TieMultipliers> &tied)
 {
    equations.Add(share, step, stage);
    for (std::size_t i = 0; i < multipliers.size(); i++)
    {
       contact.Pairs()[i]->Enforcement().AddToMultipliers(share, multipliers[i]);
+   }
+   for (std::size_t i = 0; i < tied.size(); i++)
+   {
+      contact.Interfaces()[i]->AddToMultipliers(share, tied[i]);
    }
 }
 

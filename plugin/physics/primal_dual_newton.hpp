@@ -44,7 +44,8 @@ private:
    /// make the residual grow; fails if that is next to nothing.
    bool TakeStep(ImplicitStage &stage, const ResidualTolerance &tolerance);
    void Add(mfem::real_t share, ImplicitStage &stage,
-            const std::vector<MultiplierStep> &multipliers);
+            const std::vector<MultiplierStep> &multipliers,
+            const std::vector<TieMultipliers> &tied);
    /// Why the state can't follow one whose residual had this norm; empty if it
    /// can.
    std::string FindObstacle(const ImplicitStage &stage, mfem::real_t norm,

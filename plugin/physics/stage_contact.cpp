@@ -12,11 +12,12 @@ using namespace mfem;
 
 StageContact::StageContact(MPI_Comm comm_,
                            const std::vector<ContactPair *> &pairs_,
+                           const std::vector<TiedInterface *> &interfaces_,
                            const std::vector<PushedBodies> &pushed_,
                            StageEquations &equations_,
                            BiphasicLinearSolver &linear_, SolveRecord &record_)
-   : comm(comm_), pairs(pairs_), pushed(pushed_), equations(equations_),
-     linear(linear_), record(record_)
+   : comm(comm_), pairs(pairs_), interfaces(interfaces_), pushed(pushed_),
+     equations(equations_), linear(linear_), record(record_)
 {
 }
 
@@ -29,6 +30,10 @@ void StageContact::Start(ImplicitStage &stage, TouchRule rule)
       enforcement.StartStage(stage.time);
       enforcement.Evaluate(stage.u, stage.p);
       enforcement.UpdateActiveSet(rule);
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->StartStage(stage.time);
    }
    CatchPushed(stage);
    equations.UpdateDrainedDofs(stage);
@@ -138,6 +143,14 @@ StageContact::FindViolations(const ImplicitStage &stage) const
                                        violations.peak_pressure) &&
          violations.within_tolerance;
    }
+   for (const TiedInterface *tie : interfaces)
+   {
+      violations.interfaces.push_back(tie->FindViolations());
+      violations.within_tolerance =
+         tie->IsWithinTolerance(violations.interfaces.back(),
+                                violations.peak_pressure) &&
+         violations.within_tolerance;
+   }
    return violations;
 }
 
@@ -147,7 +160,16 @@ bool StageContact::Augment(const Violations &violations)
    {
       pair->Enforcement().Augment();
    }
-   return StiffenIfSlow(violations);
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Augment();
+   }
+   const bool stiffened = StiffenIfSlow(violations);
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions();
+   }
+   return stiffened;
 }
 
 bool StageContact::StiffenIfSlow(const Violations &violations)
@@ -157,6 +179,12 @@ bool StageContact::StiffenIfSlow(const Violations &violations)
    {
       stiffened = pairs[i]->Enforcement().StiffenIfSlow(
                      violations.pairs[i], violations.peak_pressure) ||
+                  stiffened;
+   }
+   for (std::size_t i = 0; i < interfaces.size(); i++)
+   {
+      stiffened = interfaces[i]->StiffenIfSlow(violations.interfaces[i],
+                                               violations.peak_pressure) ||
                   stiffened;
    }
    return stiffened;
@@ -176,6 +204,10 @@ void StageContact::SetTractions(ContactStiffness stiffness)
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().UpdateTractions(stiffness);
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions(stiffness);
    }
 }
 

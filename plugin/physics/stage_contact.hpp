@@ -12,8 +12,8 @@ namespace synovia
 {
 
 /// The contact of all pairs as a stage is solved: which points face each
-/// other, which vertices touch, and what gaps are left. All members are
-/// collective.
+/// other, which vertices touch, and what gaps are left; and the ties, of which
+/// the same is asked. All members are collective.
 class StageContact
 {
 public:
@@ -22,6 +22,8 @@ public:
    {
       /// In the order of the pairs.
       std::vector<ContactViolations> pairs;
+      /// In the order of the interfaces.
+      std::vector<TieViolations> interfaces;
       /// Largest pressure (stress).
       mfem::real_t peak_pressure = 0.0;
       bool within_tolerance = true;
@@ -30,6 +32,7 @@ public:
    /// Borrows all arguments. @a linear learns of new searches, @a record counts
    /// them.
    StageContact(MPI_Comm comm, const std::vector<ContactPair *> &pairs,
+                const std::vector<TiedInterface *> &interfaces,
                 const std::vector<PushedBodies> &pushed,
                 StageEquations &equations, BiphasicLinearSolver &linear,
                 SolveRecord &record);
@@ -59,6 +62,7 @@ public:
    void SetTractions(ContactStiffness stiffness);
 
    const std::vector<ContactPair *> &Pairs() const { return pairs; }
+   const std::vector<TiedInterface *> &Interfaces() const { return interfaces; }
    /// Fails for so many iterations, with the pairs whose active set the last
    /// Update() changed.
    bool FailIterations(int iterations);
@@ -71,6 +75,7 @@ private:
 
    MPI_Comm comm;
    const std::vector<ContactPair *> &pairs;
+   const std::vector<TiedInterface *> &interfaces;
    const std::vector<PushedBodies> &pushed;
    StageEquations &equations;
    BiphasicLinearSolver &linear;

@@ -1,5 +1,6 @@
 #include "synovia/physics/stage_equations.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/physics/find_tie_holds.hpp"
 
 #include <algorithm>
 
@@ -23,16 +24,17 @@ Array<int> United(const Array<int> &a, const Array<int> &b)
 StageEquations::StageEquations(BiphasicSpaces &spaces,
                                const BoundaryConditions &conditions_,
                                const std::vector<ContactPair *> &pairs_,
+                               const std::vector<TiedInterface *> &interfaces_,
                                std::unique_ptr<BodyForm> bodies_)
    : comm(spaces.GetComm()), conditions(conditions_), pairs(pairs_),
-     bodies(std::move(bodies_)),
+     interfaces(interfaces_), bodies(std::move(bodies_)),
      ties(spaces, conditions.RigidBodies(), conditions.DisplacementDofs(),
           conditions.GetDeformation(), conditions.Joints()),
      ligaments(ties, conditions.Ligaments()), joints(ties, conditions.Joints()),
      rigid(spaces, conditions.DrivenSurfaces(),
            United(conditions.DisplacementDofs(), ties.Dofs())),
      tie_tangent(ties, ligaments, joints), drainage(spaces, pairs),
-     contact(pairs.size()),
+     contact(pairs.size() + 3 * interfaces.size()),
      jacobian(std::make_unique<BiphasicJacobian>(
         bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
         contact, rigid.Any() ? &rigid : nullptr,
@@ -43,6 +45,12 @@ StageEquations::StageEquations(BiphasicSpaces &spaces,
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().SetHeldPressures(held);
+   }
+   std::vector<const TiedInterface *> searched;
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Search(FindTieHolds(spaces, conditions, ties, pairs, searched));
+      searched.push_back(tie);
    }
 }
 
@@ -77,11 +85,15 @@ void StageEquations::SetTimeStep(real_t dt)
    {
       pair->Enforcement().SetTimeStep(dt);
    }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->SetTimeStep(dt);
+   }
 }
 
 bool StageEquations::SearchContact(const BodyStage &stage)
 {
-   bool moved = false;
+   bool moved = !has_factors && !interfaces.empty();
    for (ContactPair *pair : pairs)
    {
       moved = pair->Search(stage.u) || moved;
@@ -99,6 +111,11 @@ void StageEquations::EvaluateContact(const BodyStage &stage)
    {
       pair->Enforcement().Evaluate(stage.u, stage.p);
       pair->Enforcement().UpdateTractions();
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Evaluate(stage.u, stage.p);
+      tie->UpdateTractions();
    }
 }
 
@@ -155,6 +172,10 @@ void StageEquations::AddContactImbalance(const ImplicitStage &stage,
    for (const ContactPair *pair : pairs)
    {
       pair->AddForces(loads, exchange);
+   }
+   for (const TiedInterface *tie : interfaces)
+   {
+      tie->AddForces(loads, exchange);
    }
    momentum -= loads;
    mass.Add(stage.dt, exchange);
@@ -288,6 +309,15 @@ void StageEquations::UpdateFactors()
    {
       contact[i] = pairs[i]->Factors();
    }
+   std::size_t next = pairs.size();
+   for (const TiedInterface *tie : interfaces)
+   {
+      for (const ContactFactors &component : tie->Factors())
+      {
+         contact[next++] = component;
+      }
+   }
+   has_factors = true;
    jacobian->ContactChanged();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/contact/tied_interface.hpp"
 #include "synovia/fem/body_form.hpp"
 #include "synovia/fem/boundary_conditions.hpp"
 #include "synovia/fem/tie_tangent.hpp"
@@ -40,8 +41,9 @@ struct StageBalance
 };
 
 /// The equations of an implicit stage: balance of momentum and mass of all
-/// bodies with loads, supports and contact, with the contact's active sets as
-/// they are; their residual and its derivative.
+/// bodies with loads, supports, ties and contact, with the contact's active
+/// sets as they are; their residual and its derivative. What is said of the
+/// contact holds for the ties as well.
 ///
 /// The residual is r(u, p) = -(momentum), (mass) for true dofs of displacement
 /// and pressure, with zeros at prescribed and drained dofs, and Jacobian() is
@@ -54,9 +56,12 @@ struct StageBalance
 class StageEquations
 {
 public:
-   /// Borrows all but @a bodies; @a conditions must be complete.
+   /// Borrows all but @a bodies; @a conditions must be complete. Lets the
+   /// surfaces of @a interfaces look for each other. Throws Error where they
+   /// find nothing.
    StageEquations(BiphasicSpaces &spaces, const BoundaryConditions &conditions,
                   const std::vector<ContactPair *> &pairs,
+                  const std::vector<TiedInterface *> &interfaces,
                   std::unique_ptr<BodyForm> bodies);
 
    BodyForm &Bodies() { return *bodies; }
@@ -72,8 +77,8 @@ public:
    const BiphasicJacobian &Jacobian() const { return *jacobian; }
 
    void SetTimeStep(mfem::real_t dt);
-   /// Lets pairs search for a stage that ends near @a stage; says whether the
-   /// Jacobian's contact is another.
+   /// Lets pairs search for a stage that ends near @a stage; says whether what
+   /// contact and ties add to the Jacobian is another.
    bool SearchContact(const BodyStage &stage);
    /// Takes gaps, jumps, tractions and fluxes at the end of @a stage.
    void EvaluateContact(const BodyStage &stage);
@@ -129,6 +134,7 @@ private:
    MPI_Comm comm;
    const BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
+   const std::vector<TiedInterface *> &interfaces;
    std::unique_ptr<BodyForm> bodies;
    RigidTies ties;
    synovia::Ligaments ligaments;
@@ -137,8 +143,9 @@ private:
    TieTangent tie_tangent;
    std::vector<bool> resisting;
    ContactDrainage drainage;
-   /// What the pairs add to the Jacobian, in their order.
+   /// What pairs and interfaces add to the Jacobian, in their order.
    ContactTerms contact;
+   bool has_factors = false;
    std::unique_ptr<BiphasicJacobian> jacobian;
 };
 

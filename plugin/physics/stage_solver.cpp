@@ -24,14 +24,16 @@ BiphasicLinearSolver MakeLinearSolver(const StageEquations &equations,
 StageSolver::StageSolver(const std::vector<Body> &bodies,
                          BiphasicSpaces &spaces, BoundaryConditions &conditions,
                          const std::vector<ContactPair *> &pairs_,
+                         const std::vector<TiedInterface *> &interfaces_,
                          const FirstApproach &start, StageEquations &equations_,
                          const NonlinearOptions &options, SolveRecord &record_)
-   : pairs(pairs_), equations(equations_), record(record_),
-     freedoms(bodies, spaces, conditions),
+   : pairs(pairs_), interfaces(interfaces_), equations(equations_),
+     record(record_), freedoms(bodies, spaces, conditions),
      linear(MakeLinearSolver(equations, spaces, options, record.times)),
-     rule(spaces, conditions, pairs, equations,
+     rule(spaces, conditions, pairs, interfaces, equations,
           options.linear.relative_tolerance),
-     contact(spaces.GetComm(), pairs, start.pushed, equations, linear, record),
+     contact(spaces.GetComm(), pairs, interfaces, start.pushed, equations,
+             linear, record),
      direction(spaces, equations, pairs, freedoms, linear, record)
 {
    if (equations.Bodies().IsLinear())
@@ -68,6 +70,10 @@ bool StageSolver::Solve(ImplicitStage &stage, TouchRule touch)
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().Store(stage.time);
+   }
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->Store(stage.time);
    }
    return true;
 }

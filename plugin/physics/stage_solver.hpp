@@ -22,6 +22,7 @@ public:
    StageSolver(const std::vector<Body> &bodies, BiphasicSpaces &spaces,
                BoundaryConditions &conditions,
                const std::vector<ContactPair *> &pairs,
+               const std::vector<TiedInterface *> &interfaces,
                const FirstApproach &start, StageEquations &equations,
                const NonlinearOptions &options, SolveRecord &record);
 
@@ -34,6 +35,7 @@ public:
 
 private:
    const std::vector<ContactPair *> &pairs;
+   const std::vector<TiedInterface *> &interfaces;
    StageEquations &equations;
    SolveRecord &record;
    RigidFreedoms freedoms;

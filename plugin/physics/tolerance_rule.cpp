@@ -39,9 +39,10 @@ real_t SweptVolume(const std::vector<ContactPair *> &pairs,
 ToleranceRule::ToleranceRule(BiphasicSpaces &spaces_,
                              BoundaryConditions &conditions_,
                              const std::vector<ContactPair *> &pairs_,
+                             const std::vector<TiedInterface *> &interfaces_,
                              const StageEquations &equations_, real_t relative_)
    : spaces(spaces_), conditions(conditions_), pairs(pairs_),
-     equations(equations_), relative(relative_)
+     interfaces(interfaces_), equations(equations_), relative(relative_)
 {
 }
 
@@ -54,7 +55,6 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    // How much stricter Tighten() may be: loads and stiff contact may make much
    // of what is hardly any fluid.
    constexpr real_t strictest = 1e-5;
-   constexpr real_t round_off = 1e-15;
    MPI_Comm comm = spaces.GetComm();
    const auto norm = [comm](const Vector &x)
    { return std::sqrt(InnerProduct(comm, x, x)); };
@@ -70,7 +70,16 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    ties.Prescribe(stage.time, still.poses);
    ties.Write(still.poses, still.u);
    BlockVector residual(spaces.Offsets());
+   // Penalties of what a first guess tears apart are no measure.
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions(ContactStiffness::none);
+   }
    equations.ComputeResidual(still, residual);
+   for (TiedInterface *tie : interfaces)
+   {
+      tie->UpdateTractions();
+   }
    Vector moved(still.u);
    moved -= stage.u0;
    const real_t own_force = norm(residual.GetBlock(0));
@@ -81,6 +90,24 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    const real_t volume =
       std::max(own_volume, coupled * own_force / force_per_volume);
 
+   const RoundOff round_off = FindRoundOff(stage);
+   const real_t most = relative * volume;
+   ResidualTolerance tolerance;
+   tolerance.momentum = std::max(relative * force, round_off.momentum);
+   tolerance.mass = std::max(most, round_off.mass);
+   tolerance.least_mass = std::max(strictest * most, round_off.mass);
+   // A body at rest without loads has nothing to be relative to.
+   constexpr real_t tiny = std::numeric_limits<real_t>::min();
+   tolerance.momentum = std::max(tolerance.momentum, tiny);
+   tolerance.mass = std::max(tolerance.mass, tiny);
+   tolerance.least_mass = std::max(tolerance.least_mass, tiny);
+   return tolerance;
+}
+
+ToleranceRule::RoundOff
+ToleranceRule::FindRoundOff(const ImplicitStage &stage) const
+{
+   constexpr real_t of_sums = 1e-15;
    Vector momentum(stage.u.Size());
    Vector mass(stage.p.Size());
    // Magnitudes of the terms that cancel.
@@ -94,19 +121,24 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    {
       pair->AddMagnitudes(u, p, momentum, mass);
    }
+   for (const TiedInterface *tie : interfaces)
+   {
+      tie->AddMagnitudes(u, p, momentum, mass);
+   }
    mass *= stage.dt;
    equations.Bodies().AddMagnitudes(stage.dt, u, p, momentum, mass);
-   const real_t most = relative * volume;
-   ResidualTolerance tolerance;
-   tolerance.momentum = std::max(relative * force, round_off * norm(momentum));
-   tolerance.mass = std::max(most, round_off * norm(mass));
-   tolerance.least_mass = std::max(strictest * most, round_off * norm(mass));
-   // A body at rest without loads has nothing to be relative to.
-   constexpr real_t tiny = std::numeric_limits<real_t>::min();
-   tolerance.momentum = std::max(tolerance.momentum, tiny);
-   tolerance.mass = std::max(tolerance.mass, tiny);
-   tolerance.least_mass = std::max(tolerance.least_mass, tiny);
-   return tolerance;
+   MPI_Comm comm = spaces.GetComm();
+   return {of_sums * std::sqrt(InnerProduct(comm, momentum, momentum)),
+           of_sums * std::sqrt(InnerProduct(comm, mass, mass))};
+}
+
+void ToleranceRule::AllowRoundOff(const ImplicitStage &stage,
+                                  ResidualTolerance &tolerance) const
+{
+   const RoundOff round_off = FindRoundOff(stage);
+   tolerance.momentum = std::max(tolerance.momentum, round_off.momentum);
+   tolerance.mass = std::max(tolerance.mass, round_off.mass);
+   tolerance.least_mass = std::max(tolerance.least_mass, round_off.mass);
 }
 
 bool ToleranceRule::Tighten(const Vector &mass,

@@ -17,6 +17,7 @@ public:
    /// Borrows all but @a relative, the part of momentum and mass.
    ToleranceRule(BiphasicSpaces &spaces, BoundaryConditions &conditions,
                  const std::vector<ContactPair *> &pairs,
+                 const std::vector<TiedInterface *> &interfaces,
                  const StageEquations &equations, mfem::real_t relative);
 
    /// @a force_per_volume as BiphasicLinearSolver has it.
@@ -26,11 +27,24 @@ public:
    /// exchanges, where @a mass is what is missing for balance
    /// (StageEquations::ComputeImbalance); false if that hardly changes it.
    bool Tighten(const mfem::Vector &mass, ResidualTolerance &tolerance) const;
+   /// Raises the tolerance to what round-off leaves at @a stage: a first guess,
+   /// such as rest, may have had none.
+   void AllowRoundOff(const ImplicitStage &stage,
+                      ResidualTolerance &tolerance) const;
 
 private:
+   /// What round-off leaves of both equations, as norms.
+   struct RoundOff
+   {
+      mfem::real_t momentum;
+      mfem::real_t mass;
+   };
+   RoundOff FindRoundOff(const ImplicitStage &stage) const;
+
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
    const std::vector<ContactPair *> &pairs;
+   const std::vector<TiedInterface *> &interfaces;
    const StageEquations &equations;
    mfem::real_t relative;
 };

@@ -30,7 +30,7 @@ constexpr real_t copies_with_factors = 4.0;
 
 ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    : title(setup.title), order(setup.space.order),
-     bodies(FindBodies(problem.Get().Mesh(), problem.Get().Spaces())),
+     bodies(problem.Get().Bodies()),
      regions(MeasureRegions(setup, problem, bodies)),
      elements(MeasureElements(problem.Get().Mesh())),
      stiffness(VerifiedStiffness(setup, problem)),
@@ -39,7 +39,7 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
         RigidBodyRows(problem.Get().Conditions(), problem.Get().Spaces())),
      ligaments(LigamentRows(problem.Get().Conditions())),
      joints(JointRows(problem.Get().Conditions())),
-     pairs(CheckContact(setup, problem)),
+     pairs(CheckContact(setup, problem)), ties(CheckTies(setup, problem)),
      warnings(FindWarnings(setup, problem, pairs, bodies, regions)),
      hints(FindContactHints(setup, problem, pairs, bodies, regions))
 {
@@ -47,6 +47,8 @@ ProblemReport::ProblemReport(const CaseFile &setup, CaseProblem &problem)
    const std::vector<std::string> flat =
       FindQualityWarnings(problem.Get().Mesh(), elements);
    warnings.insert(warnings.end(), flat.begin(), flat.end());
+   const std::vector<std::string> partial = FindTieHints(setup, ties);
+   hints.insert(hints.end(), partial.begin(), partial.end());
    Count(setup, problem);
 }
 
@@ -178,6 +180,11 @@ void ProblemReport::Write(std::ostream &out) const
       WriteTable(out, joints);
    }
    WritePairs(out);
+   if (!ties.empty())
+   {
+      out << "\nties\n";
+      WriteTable(out, TieRows(ties));
+   }
    out << "\norder " << order << ": " << displacements << " displacements, "
        << pressures << " pressures on " << ranks
        << (ranks == 1 ? " rank" : " ranks") << ", about "

@@ -5,6 +5,7 @@
 #include "synovia/checks/element_measures.hpp"
 #include "synovia/checks/region_measures.hpp"
 #include "synovia/checks/surface_measures.hpp"
+#include "synovia/checks/tie_check.hpp"
 #include "synovia/fem/body.hpp"
 #include "synovia/materials/stiffness_range.hpp"
 
@@ -20,8 +21,8 @@ namespace synovia
 class ProblemReport
 {
 public:
-   /// Collective. Throws Error if a contact pair can't be, or if a material's
-   /// stiffness isn't positive definite.
+   /// Collective. Throws Error if a contact pair or a tie can't be, or if a
+   /// material's stiffness isn't positive definite.
    ProblemReport(const CaseFile &setup, CaseProblem &problem);
 
    /// Writes it for people to read.
@@ -55,6 +56,7 @@ private:
    std::vector<std::vector<std::string>> ligaments;
    std::vector<std::vector<std::string>> joints;
    std::vector<PairAtStart> pairs;
+   std::vector<TieAtStart> ties;
    std::vector<std::string> warnings;
    std::vector<std::string> hints;
    long long displacements = 0;

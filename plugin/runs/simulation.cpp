@@ -134,6 +134,7 @@ void Simulation::StartAnew()
    const CaseFile &first = sequence.Present().setup;
    const std::vector<PairAtStart> pairs =
       CheckContact(first, sequence.Problem());
+   const std::vector<TieAtStart> ties = CheckTies(first, sequence.Problem());
    const std::vector<std::string> warnings =
       FindWarnings(first, sequence.Problem(), pairs);
    output = MakeOutput();
@@ -143,6 +144,15 @@ void Simulation::StartAnew()
    {
       log->Add("contact pair \"" + pair.name + "\": least gap at the start " +
                ToText(pair.least_gap));
+   }
+   for (const TieAtStart &tie : ties)
+   {
+      log->Add("tie \"" + tie.name + "\": points that are tied are up to " +
+               ToText(tie.distance) + " apart");
+   }
+   for (const std::string &hint : FindTieHints(first, ties))
+   {
+      Say("hint: " + hint);
    }
    for (const FirstApproach::Move &move : Problem().Operator().Start().moves)
    {

@@ -214,6 +214,71 @@ def friction_plate(run: Runs) -> None:
     balanced(rows, "plate", 1e-6)
 
 
+def core_stresses(times: tuple[float, ...], step: float = 0.625) -> list[float]:
+    """Of cartilage on bone in one dimension, by finite volumes, both drained.
+
+    u' = (s + p)/H, so that (s' + p')/H = (k p')' in time and space, with the
+    stress s for which the strains add up to what the top has moved.
+    """
+    layers = ((100 * 0.7 / (1.3 * 0.4), 2.0e-3), (H_A, KAPPA))
+    cells = 200     # a layer
+    h = 1.0 / cells
+    modulus = [m for m, _ in layers for _ in range(cells)]
+    kappa = [k for _, k in layers for _ in range(cells)]
+    n = 2 * cells
+    between = [2 * kappa[0] / h] + [
+        2 / (h / a + h / b) for a, b in zip(kappa, kappa[1:])] + [
+        2 * kappa[-1] / h]
+    flow = [step * between[i] for i in range(n + 1)]
+
+    def solve(right: list[float]) -> list[float]:
+        ratio, value = [0.0] * n, [0.0] * n
+        for i in range(n):
+            below = flow[i] if i else 0.0
+            pivot = (h / modulus[i] + flow[i] + flow[i + 1]
+                     - (below * ratio[i - 1] if i else 0.0))
+            ratio[i] = flow[i + 1] / pivot
+            value[i] = (right[i] + (below * value[i - 1] if i else 0.0)) / pivot
+        for i in reversed(range(n - 1)):
+            value[i] += ratio[i] * value[i + 1]
+        return value
+
+    # The pressure that a change of the stress by 1 makes in a step.
+    unit = solve([-h / m for m in modulus])
+    compliance = sum(h * (1 + p) / m for p, m in zip(unit, modulus))
+    pressure, stress, found = [0.0] * n, 0.0, []
+    for number in range(1, round(max(times) / step) + 1):
+        still = solve([h / m * p for p, m in zip(pressure, modulus)])
+        moved = -0.05 * min(1.0, number * step / 500)
+        strains = sum(h * (stress + p) / m for p, m in zip(still, modulus))
+        change = (moved - strains) / compliance
+        stress += change
+        pressure = [p + change * q for p, q in zip(still, unit)]
+        if any(abs(number * step - t) < 1e-6 for t in times):
+            found.append(stress)
+    return found
+
+
+def osteochondral_core(run: Runs) -> None:
+    rows = run(CASES / "osteochondral_core.toml",
+               run.mesh("boxes.py", "osteochondral_core"))
+    times = (100, 250, 500, 750, 1000)
+    for t, stress in zip(times, core_stresses(times)):
+        row = at(rows, t)
+        close(row["reaction.cartilage_top.z"] / 0.16, stress, 1e-3,
+              f"stress at {t} s")
+        close(row["tie.tidemark.force_z"] / 0.16,
+              -row["reaction.cartilage_top.z"] / 0.16, 1e-6,
+              f"the tie bears the stress at {t} s")
+        check(t > 500 or row["tie.tidemark.fluid_exchange"] < 0,
+              f"fluid flows into the bone at {t} s")
+    for row in rows:
+        check(row["tie.tidemark.displacement_jump"] <= 1e-6
+              and row["tie.tidemark.moment_error"] <= 1e-9
+              and row["tie.tidemark.force_error"] <= 1e-12,
+              f"the tie holds and is in balance at {row['t']} s")
+
+
 def hertz(run: Runs) -> None:
     rows = run(CASES / "hertz.toml", run.mesh("hertz.py", "--size", "1.5"))
     last = rows[-1]
@@ -355,7 +420,8 @@ def main() -> None:
         run = Runs(pathlib.Path(name))
         for case in (confined, relaxation_and_recovery, unconfined,
                      confined_finite,
-                     unconfined_finite, two_columns, friction_plate, hertz,
+                     unconfined_finite, two_columns, osteochondral_core,
+                     friction_plate, hertz,
                      indentation,
                      indentation_hexahedra, indentation_finite,
                      indentation_wedge, glenohumeral, glenohumeral_hexahedra,

@@ -422,6 +422,62 @@ TEST_CASE("A rigid shell that only touches becomes a region of a rigid body")
    CHECK_NOTHROW(problem.Get().Operator());
 }
 
+TEST_CASE("Tied surfaces are a tie, in all steps")
+{
+   std::string text =
+      Replaced(FebColumn(), "\t\t</Nodes>",
+               R"(			<node id="13">0,0,1</node>
+			<node id="14">1,0,1</node>
+			<node id="15">1,1,1</node>
+			<node id="16">0,1,1</node>
+		</Nodes>)");
+   text =
+      Replaced(text, "<elem id=\"2\">5,6,7,8,", "<elem id=\"2\">13,14,15,16,");
+   text = Replaced(text, "9,10,11,12</NodeSet>",
+                   "9,10,11,12,13,14,15,16</NodeSet>");
+   text = Replaced(text, "\t\t<Surface name=\"top\">",
+                   R"(		<Surface name="low">
+			<quad4 id="1">5,6,7,8</quad4>
+		</Surface>
+		<Surface name="high">
+			<quad4 id="1">16,15,14,13</quad4>
+		</Surface>
+		<SurfacePair name="pair">
+			<primary>low</primary><secondary>high</secondary>
+		</SurfacePair>
+		<Surface name="top">)");
+   const std::string contact = R"(	<Contact>
+		<contact name="glue" surface_pair="pair" type="tied-biphasic">
+			<laugon>PENALTY</laugon><penalty>10</penalty>
+			<two_pass>1</two_pass><search_radius>1</search_radius>
+		</contact>
+	</Contact>
+)";
+   text = Replaced(text, "\t<Loads>", contact + "\t<Loads>");
+   for (const std::string type : {"tied-biphasic", "tied-elastic"})
+   {
+      const FebImport import =
+         ImportFeb(Replaced(text, "tied-biphasic", type), "model.feb");
+      CHECK(import.report.Text(Fate::unsupported) == "");
+      CHECK(import.report.Text(Fate::ignored).find("penalty") !=
+            std::string::npos);
+      CheckCase(import.setup);
+      CHECK(import.setup.contacts.empty());
+      REQUIRE(import.setup.ties.size() == 1);
+      const TieCase &tie = import.setup.ties[0];
+      CHECK(tie.name == "glue");
+      CHECK(tie.destination == std::vector<std::string>{"low"});
+      CHECK(tie.source == std::vector<std::string>{"high"});
+      const TemporaryDirectory directory(MPI_COMM_WORLD);
+      const std::string file = directory.Path() + "/model.msh";
+      directory.OnRootOnly([&]() { std::ofstream(file) << import.mesh; });
+      NamedMesh mesh = ReadGmsh(file, MPI_COMM_WORLD);
+      CaseProblem problem(import.setup, mesh);
+      CHECK_NOTHROW(problem.Get().Operator());
+      CHECK(problem.Get().Bodies().size() == 1);
+   }
+}
+
 TEST_CASE("A solid without fluid is an elastic region")
 {
    std::string text = Replaced(
