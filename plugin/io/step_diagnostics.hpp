@@ -20,8 +20,9 @@ namespace synovia
 ///     contact.<pair>.friction_x|y|z (part of force), .friction_coefficient
 ///     (friction over normal force), .sliding (part of the area in contact),
 ///     .dissipation (work since the start): of pairs with friction
-///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
-///     fluid.peak_pressure
+///     fluid.growth, fluid.outflow (volume / time), fluid.supply (likewise,
+///     where vessels let fluid in), fluid.volume_balance (growth + outflow -
+///     supply), fluid.peak_pressure
 ///     solver.newton, .augmentations, .linear, .most_linear
 ///     solver.assemblies, .searches, .setups, .factorizations, .columns (see
 ///     WorkCounts; of all tries)
