@@ -8,10 +8,11 @@
 // and how to run them.
 //
 // Writes to the output directory: history.csv, history.h5 (a row for each
-// step), lines/ (profiles), fields/ (ParaView), checkpoint/, run.log, and
-// case.toml, the case as it ran. Ctrl-C lets the step end and writes a
-// checkpoint; --resume goes on from it, on any number of ranks. The directory
-// belongs to one run: --overwrite removes what an earlier one left there.
+// step), lines/ (profiles), logs/ (tables), fields/ (ParaView), checkpoint/,
+// run.log, and case.toml, the case as it ran. Ctrl-C lets the step end and
+// writes a checkpoint; --resume goes on from it, on any number of ranks. The
+// directory belongs to one run: --overwrite removes what an earlier one left
+// there.
 //
 // Sample runs:
 //   cd miniapps/cases
@@ -27,8 +28,10 @@
 #include "synovia/general/suggestion.hpp"
 #include "synovia/general/version.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 using namespace synovia;
 
@@ -46,6 +49,10 @@ constexpr const char *usage =
                         Can be given several times
   --output DIRECTORY    the same as --set 'output.directory="DIRECTORY"'; -o
                         is short for it. A run does not begin where another one left results
+  --log WHAT:DATA       a table in logs/ like FEBio's log file: WHAT is nodes,
+                        elements or rigid_bodies, DATA are names of FEBio such as
+                        x;y;z;ux;Rx;p, sx;sxy;s1;Ex;Fxx;J;wx, or qx;Fx;Mx. Can be
+                        given several times; output.log has more choices
   --overwrite           remove those, and begin; other files stay
   --resume              go on from the newest checkpoint in the output directory
                         that is good; begin at the start if there is none. Only
@@ -61,8 +68,9 @@ constexpr const char *usage =
 )";
 
 const std::vector<std::string> option_names = {
-   "--check",   "--set",     "--output",     "--overwrite", "--resume",
-   "--restart", "--convert", "--dry-schema", "--help",      "--version"};
+   "--check",      "--set",    "--output",  "--log",
+   "--overwrite",  "--resume", "--restart", "--convert",
+   "--dry-schema", "--help",   "--version"};
 
 struct Options
 {
@@ -70,6 +78,7 @@ struct Options
    std::vector<std::string> overrides;
    std::string output;
    std::string restart;
+   std::vector<LogDefinition> logs;
    bool convert = false;
    bool overwrite = false;
    bool resume = false;
@@ -82,6 +91,36 @@ struct Options
 [[noreturn]] void Fail(const std::string &problem)
 {
    throw Error(problem + "; --help lists the options");
+}
+
+/// What --log asks for, in a file that the others don't have.
+LogDefinition ParseLog(const std::string &text,
+                       const std::vector<LogDefinition> &others)
+{
+   const size_t colon = text.find(':');
+   const std::string subject = text.substr(0, colon);
+   LogDefinition log;
+   const auto &words = LogSubjectWords();
+   const auto found =
+      std::find_if(words.begin(), words.end(),
+                   [&](const auto &word) { return word.first == subject; });
+   if (colon == std::string::npos || found == words.end())
+   {
+      Fail("--log takes nodes, elements or rigid_bodies, a colon, and names "
+           "separated by semicolons, such as nodes:ux;uy;uz");
+   }
+   log.of = found->second;
+   std::istringstream names(text.substr(colon + 1));
+   for (std::string name; std::getline(names, name, ';');)
+   {
+      log.data.push_back(name);
+   }
+   const auto same = std::count_if(others.begin(), others.end(),
+                                   [&](const LogDefinition &other)
+                                   { return other.of == log.of; });
+   log.file = "log_" + subject +
+              (same == 0 ? "" : "_" + std::to_string(same + 1)) + ".txt";
+   return log;
 }
 
 /// The arguments one by one, --option=value taken apart.
@@ -155,6 +194,11 @@ Options Parse(int argc, char *argv[])
          options.output = arguments.Value(word);
          options.overrides.push_back("output.directory=" +
                                      Quoted(options.output));
+         continue;
+      }
+      if (word == "--log")
+      {
+         options.logs.push_back(ParseLog(arguments.Value(word), options.logs));
          continue;
       }
       if (word == "--restart")
@@ -286,9 +330,10 @@ int Run(int argc, char *argv[])
          return 0;
       }
    }
-   Simulation simulation(
-      ReadCase(options.file, MPI_COMM_WORLD, options.overrides),
-      MPI_COMM_WORLD);
+   CaseFile setup = ReadCase(options.file, MPI_COMM_WORLD, options.overrides);
+   setup.output.logs.insert(setup.output.logs.end(), options.logs.begin(),
+                            options.logs.end());
+   Simulation simulation(setup, MPI_COMM_WORLD);
    if (options.check)
    {
       simulation.Describe(std::cout);

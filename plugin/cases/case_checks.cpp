@@ -1,4 +1,5 @@
 #include "synovia/cases/case_checks.hpp"
+#include "synovia/cases/case_words.hpp"
 #include "synovia/cases/connection_checks.hpp"
 #include "synovia/cases/key_names.hpp"
 #include "synovia/cases/law_checks.hpp"
@@ -121,7 +122,8 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
    const auto &u = boundary.displacement;
    const ForceCase &force = boundary.force;
    const bool stiff = boundary.spring.stiffness > 0.0;
-   const bool moved = u[0] || u[1] || u[2] || force.curve || stiff;
+   const bool moved =
+      u[0] || u[1] || u[2] || force.curve || stiff || boundary.guide;
    const std::vector<std::string> keys = {"displacement",
                                           "pressure",
                                           "traction",
@@ -130,6 +132,7 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
                                           "normal_flux",
                                           "mixture_flux",
                                           "spring",
+                                          "guide",
                                           "force"};
    // Keys with errors count.
    const bool written =
@@ -143,6 +146,8 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
       path, "nothing is prescribed here; give one of " + JoinedNames(keys));
    reading.Require(!boundary.relative || u[0] || u[1] || u[2],
                    path + ".relative", "no displacement is prescribed here");
+   reading.Require(!boundary.guide || Length(*boundary.guide) > 0.0,
+                   path + ".guide", "the direction is zero");
    reading.Require(stiff || !boundary.spring.IsDirected(), path + ".spring",
                    "there is a direction, but no stiffness");
    reading.Require(force.curve || !force.IsDirected(), path + ".force",
@@ -441,6 +446,57 @@ void CheckOutput(const CaseFile &setup, CaseReading &reading)
    }
 }
 
+void CheckLogs(const CaseFile &setup, CaseReading &reading)
+{
+   Once names(reading);
+   for (size_t i = 0; i < setup.output.logs.size(); i++)
+   {
+      const LogDefinition &log = setup.output.logs[i];
+      const std::string path = EntryPath("output.log", i);
+      reading.Require(!log.file.empty(), path + ".file", "the name is empty");
+      if (!log.file.empty())
+      {
+         names.Enter(log.file, path + ".file",
+                     "a log is called " + Quoted(log.file) + " already");
+         CheckFileName(log.file, path + ".file", reading);
+      }
+      reading.Require(!log.data.empty() || reading.HasError(path + ".data"),
+                      path + ".data", "there are no columns");
+      const std::vector<std::string> &known = LogData(log.of);
+      for (size_t k = 0; k < log.data.size(); k++)
+      {
+         reading.Require(std::find(known.begin(), known.end(), log.data[k]) !=
+                            known.end(),
+                         EntryPath(path + ".data", k),
+                         "there is no " + Quoted(log.data[k]) + "; " +
+                            WordFor(log.of, LogSubjectWords()) + " have " +
+                            JoinedNames(known));
+      }
+      reading.Require(
+         !log.delimiter.empty() && log.delimiter.find_first_of(
+                                      "0123456789.+-en\n") == std::string::npos,
+         path + ".delimiter",
+         "columns can't be told apart by " + Quoted(log.delimiter));
+      for (size_t k = 0; k < log.rigid_bodies.size(); k++)
+      {
+         reading.Require(
+            std::any_of(setup.rigid_bodies.begin(), setup.rigid_bodies.end(),
+                        [&](const RigidBodyCase &body)
+                        { return body.name == log.rigid_bodies[k]; }),
+            EntryPath(path + ".rigid_bodies", k),
+            "there is no rigid body " + Quoted(log.rigid_bodies[k]));
+      }
+      reading.Require(log.of != LogSubject::rigid_bodies ||
+                         !setup.rigid_bodies.empty(),
+                      path + ".of", "there are no rigid bodies");
+      reading.Require(log.of == LogSubject::rigid_bodies ||
+                         setup.mesh.options.refine == 0,
+                      path + ".of",
+                      "nodes and elements of a refined mesh have no numbers; "
+                      "take out mesh.refine");
+   }
+}
+
 void CheckMesh(const MeshCase &mesh, CaseReading &reading)
 {
    reading.Require(!mesh.file.empty(), "mesh.file", "the name is empty");
@@ -489,6 +545,7 @@ void CheckConsistency(const CaseFile &setup, CaseReading &reading)
                     setup.time, "time", reading);
    CheckSteps(setup, reading);
    CheckOutput(setup, reading);
+   CheckLogs(setup, reading);
 }
 
 } // namespace synovia

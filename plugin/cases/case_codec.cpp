@@ -222,6 +222,12 @@ TomlText TextOf(const Numbers &value)
 {
    return value.empty() ? TomlText() : NumbersText(value);
 }
+TomlText TextOf(const Integers &value)
+{
+   return value.empty() ? TomlText()
+                        : ListText(value, [](int number)
+                                   { return std::to_string(number); });
+}
 TomlText TextOf(const Numbers3 &value)
 {
    return ListText(value, ShortestNumber);
@@ -343,6 +349,11 @@ void ReadValue(const CaseInput &from, Names &value)
 void ReadValue(const CaseInput &from, Numbers &value)
 {
    ReadItems(from, "a list of numbers", value);
+}
+
+void ReadValue(const CaseInput &from, Integers &value)
+{
+   ReadItems(from, "a list of integers", value);
 }
 
 void ReadValue(const CaseInput &from, Numbers3 &value)

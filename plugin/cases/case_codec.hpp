@@ -17,6 +17,7 @@ using Numbers3 = std::array<mfem::real_t, 3>;
 using Place = std::optional<Numbers3>;
 using Names = std::vector<std::string>;
 using Numbers = std::vector<mfem::real_t>;
+using Integers = std::vector<int>;
 
 /// What a value of a case of each type is called, for users.
 template <typename T>
@@ -37,6 +38,8 @@ template <>
 inline constexpr const char *type_name<Names> = "name or list of names";
 template <>
 inline constexpr const char *type_name<Numbers> = "list of numbers";
+template <>
+inline constexpr const char *type_name<Integers> = "list of integers";
 template <>
 inline constexpr const char *type_name<Numbers3> = "list of 3 numbers";
 template <>
@@ -62,6 +65,7 @@ TomlText TextOf(const mfem::real_t &value);
 TomlText TextOf(const std::string &value);
 TomlText TextOf(const Names &value);
 TomlText TextOf(const Numbers &value);
+TomlText TextOf(const Integers &value);
 TomlText TextOf(const Numbers3 &value);
 TomlText TextOf(const Place &value);
 TomlText TextOf(const std::optional<LoadCurve> &value);
@@ -78,6 +82,7 @@ void ReadValue(const CaseInput &from, mfem::real_t &value);
 void ReadValue(const CaseInput &from, std::string &value);
 void ReadValue(const CaseInput &from, Names &value);
 void ReadValue(const CaseInput &from, Numbers &value);
+void ReadValue(const CaseInput &from, Integers &value);
 void ReadValue(const CaseInput &from, Numbers3 &value);
 void ReadValue(const CaseInput &from, Place &value);
 void ReadValue(const CaseInput &from, std::optional<LoadCurve> &value);

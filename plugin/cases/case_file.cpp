@@ -38,7 +38,8 @@ bool FrameCase::HasOrigin() const
 
 bool BoundaryCase::Holds(int component) const
 {
-   return displacement[component].has_value() || spring.Holds(component);
+   return displacement[component].has_value() || spring.Holds(component) ||
+          (guide && (*guide)[component] != 0.0);
 }
 
 RigidBodyOptions RigidBodyCase::Options() const

@@ -3,6 +3,7 @@
 #include "synovia/cases/case_reading.hpp"
 #include "synovia/general/load_curve.hpp"
 #include "synovia/io/line_sampler.hpp"
+#include "synovia/io/log_definition.hpp"
 #include "synovia/mesh/rigid_shape.hpp"
 #include "synovia/physics/biphasic_problem.hpp"
 #include "synovia/time/time_stepper.hpp"
@@ -100,6 +101,25 @@ struct FrameCase
    bool HasOrigin() const;
 };
 
+enum class SupplyModel
+{
+   none,
+   starling
+};
+
+/// Fluid that vessels let in.
+struct SupplyCase
+{
+   SupplyModel model = SupplyModel::none;
+   /// Without effect if there is none.
+   FluidSupply starling;
+
+   FluidSupply Supply() const
+   {
+      return model == SupplyModel::starling ? starling : FluidSupply();
+   }
+};
+
 struct MaterialCase
 {
    std::vector<std::string> regions;
@@ -110,6 +130,7 @@ struct MaterialCase
    /// True ones, for forces per mass (mass / length^3).
    mfem::real_t solid_density = 0.0;
    mfem::real_t fluid_density = 0.0;
+   SupplyCase supply;
    FrameCase frame;
 
    bool HasFluid() const
@@ -168,9 +189,11 @@ struct BoundaryCase
    /// Outward flux of fluid and solid together (length / time).
    std::optional<LoadCurve> mixture_flux;
    SpringCase spring;
+   /// The direction across a plane that the surfaces slide along; any length.
+   std::optional<std::array<mfem::real_t, 3>> guide;
    ForceCase force;
 
-   /// Whether a displacement or springs resist motion along that axis.
+   /// Whether a displacement, springs or a guide resist motion along that axis.
    bool Holds(int component) const;
 };
 
@@ -270,6 +293,7 @@ struct OutputCase
    /// Likewise; one is written upon SIGINT and SIGTERM in any case.
    int checkpoint_every = 10;
    std::vector<LineCase> lines;
+   std::vector<LogDefinition> logs;
 };
 
 struct CaseFile

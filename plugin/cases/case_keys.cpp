@@ -125,6 +125,36 @@ KeyTable FrameKeys(FrameCase &frame)
    return keys;
 }
 
+KeyTable StarlingKeys(FluidSupply &supply)
+{
+   KeyTable keys;
+   keys
+      .Value("kp", supply.kp, "1/(stress time)",
+             "conductance of the vessels' walls in a volume")
+      .Required()
+      .AtLeast(0.0);
+   keys.Value("pc", supply.pc, quantities::stress,
+              "pressure in the vessels: kp (pc - p) enters a volume, as it is "
+              "deformed");
+   return keys;
+}
+
+KeyTable SupplyKeys(SupplyCase &supply)
+{
+   KeyTable keys;
+   keys.Choice<SupplyModel>(
+      "model", supply.model,
+      {{"none", SupplyModel::none}, {"starling", SupplyModel::starling}},
+      {"no fluid but that of surfaces", "vessels with a pressure of their own"},
+      [&supply](SupplyModel model)
+      {
+         return model == SupplyModel::starling ? StarlingKeys(supply.starling)
+                                               : KeyTable();
+      },
+      "what lets fluid in everywhere, one of:");
+   return keys;
+}
+
 KeyTable MaterialKeys(MaterialCase &material)
 {
    KeyTable keys;
@@ -149,6 +179,7 @@ KeyTable MaterialKeys(MaterialCase &material)
               "whether the solid sees each element's mean change of volume: "
               "with order 1, hexahedra and wedges of a nearly incompressible "
               "solid (nu above 0.4) are too stiff without");
+   keys.Table("supply", SupplyKeys(material.supply), "");
    keys.Table("frame", FrameKeys(material.frame),
               "axes r, theta, z of fibers, of the undeformed body");
    return keys;
@@ -284,6 +315,50 @@ KeyTable LineKeys(LineCase &line)
    return keys;
 }
 
+KeyTable LogKeysOf(LogSubject of, LogDefinition &log)
+{
+   KeyTable keys;
+   if (of == LogSubject::rigid_bodies)
+   {
+      keys.Value("rigid_bodies", log.rigid_bodies, "",
+                 "which, by name; all if left out");
+      return keys;
+   }
+   keys.Value("numbers", log.numbers, "",
+              "which, by their numbers in the mesh file; all if left out");
+   keys.Value("regions", log.regions, "", "only those of these regions");
+   if (of == LogSubject::nodes)
+   {
+      keys.Value("surfaces", log.surfaces, "", "only those of these surfaces");
+   }
+   return keys;
+}
+
+std::string DataText(LogSubject of)
+{
+   std::string text = "a row for each:";
+   for (const std::string &name : LogData(of))
+   {
+      text += " " + name;
+   }
+   return text;
+}
+
+KeyTable LogKeys(LogDefinition &log)
+{
+   KeyTable keys;
+   keys.Value("file", log.file, "", "its name, in logs/").Required();
+   keys.Value("data", log.data, "", "columns, in order").Required();
+   keys.Value("delimiter", log.delimiter, "", "between columns");
+   keys.Choice<LogSubject>(
+      "of", log.of, LogSubjectWords(),
+      {DataText(LogSubject::nodes), DataText(LogSubject::elements),
+       DataText(LogSubject::rigid_bodies)},
+      [&log](LogSubject of) { return LogKeysOf(of, log); },
+      "what the table is of, one of:");
+   return keys;
+}
+
 KeyTable OutputKeys(OutputCase &output)
 {
    KeyTable keys;
@@ -298,6 +373,8 @@ KeyTable OutputKeys(OutputCase &output)
              "steps between checkpoints; 0: none but upon Ctrl-C")
       .AtLeast(0);
    keys.List<LineCase>("line", output.lines, LineKeys, "");
+   keys.List<LogDefinition>("log", output.logs, LogKeys,
+                            "tables of each step, as FEBio's log file has");
    return keys;
 }
 } // namespace

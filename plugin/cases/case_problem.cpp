@@ -376,7 +376,7 @@ void CaseProblem::SetMaterial(const MaterialCase &material)
       problem.SetMaterial(region,
                           {&solid, permeability, material.solid_fraction,
                            material.mean_dilatation, material.solid_density,
-                           material.fluid_density});
+                           material.fluid_density, material.supply.Supply()});
    }
 }
 
@@ -389,6 +389,10 @@ void CaseProblem::SetBoundary(const BoundaryCase &boundary)
          boundary.spring.IsDirected() ? Vector({d[0], d[1], d[2]}) : Vector();
       problem.AddSprings(boundary.surfaces, boundary.spring.stiffness,
                          direction);
+   }
+   if (boundary.guide)
+   {
+      problem.AddGuide(boundary.surfaces, *boundary.guide);
    }
    if (boundary.force.curve)
    {

@@ -58,6 +58,15 @@ const KeyWords<Deformation> &DeformationWords()
    return words;
 }
 
+const KeyWords<LogSubject> &LogSubjectWords()
+{
+   static const KeyWords<LogSubject> words{
+      {"nodes", LogSubject::nodes},
+      {"elements", LogSubject::elements},
+      {"rigid_bodies", LogSubject::rigid_bodies}};
+   return words;
+}
+
 std::string DeformationWord(Deformation deformation)
 {
    return WordFor(deformation, DeformationWords());

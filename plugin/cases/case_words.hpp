@@ -34,6 +34,7 @@ const KeyWords<TimeScheme> &TimeSchemeWords();
 const KeyWords<LinearMethod> &LinearMethodWords();
 const KeyWords<DirectLibrary> &DirectLibraryWords();
 const KeyWords<Deformation> &DeformationWords();
+const KeyWords<LogSubject> &LogSubjectWords();
 
 std::string DeformationWord(Deformation deformation);
 

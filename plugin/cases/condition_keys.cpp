@@ -54,6 +54,10 @@ void AddBoundaryKeys(BoundaryCase &boundary, KeyTable &keys)
               "deformation");
    keys.Table("spring", SpringKeys(boundary.spring),
               "springs between the surfaces and a fixed base");
+   keys.Value("guide", boundary.guide, "",
+              "across a plane that the surfaces keep to and slide along, for "
+              "planes of symmetry across no axis: springs hold them that give "
+              "way by less than a hundred thousandth of the body's strain");
    keys.Table("force", ForceKeys(boundary.force),
               "moves the surfaces rigidly, as one, by a resultant");
 }

@@ -103,6 +103,8 @@ void CheckLaws(const MaterialCase &material, const std::string &path,
       reading.Require(material.permeability.parameters.empty(),
                       path + ".permeability",
                       "there are parameters, but no fluid");
+      reading.Require(material.supply.model == SupplyModel::none,
+                      path + ".supply", "there is a supply, but no fluid");
       return;
    }
    CheckLaw(PermeabilityLaws(), material.permeability.model,

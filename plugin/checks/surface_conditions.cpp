@@ -22,7 +22,8 @@ void SurfaceConditions::Add(const BoundaryCase &boundary,
    }
    conditions.loaded = conditions.loaded || boundary.traction ||
                        boundary.normal_traction || boundary.effective_traction;
-   conditions.springs = conditions.springs || boundary.spring.stiffness > 0.0;
+   conditions.springs =
+      conditions.springs || boundary.spring.stiffness > 0.0 || boundary.guide;
    conditions.force = conditions.force || boundary.force.curve;
    conditions.pressure = conditions.pressure || boundary.pressure;
    conditions.flux =

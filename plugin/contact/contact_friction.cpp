@@ -193,6 +193,11 @@ void ContactFriction::StartStage(FrictionState &state) const
 void ContactFriction::Evaluate(const Vector &u, const Vector &p,
                                FrictionState &state)
 {
+   if (accepted_at.Size() == 0)
+   {
+      // The bodies are on their way to where they start.
+      return;
+   }
    evaluated_at = u;
    present = constraint.Gap().FindSlidingMaps();
    Vector motion(u);

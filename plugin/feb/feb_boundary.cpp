@@ -1,5 +1,7 @@
 #include "synovia/feb/feb_model.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -7,6 +9,8 @@ using namespace mfem;
 
 namespace
 {
+const char *const fixed_components[3] = {"x_dof", "y_dof", "z_dof"};
+
 // Of the word for a component of the displacement; -1 if it is another.
 int Component(const std::string &dof)
 {
@@ -61,13 +65,12 @@ void Prescribe(const FebInput &where, const std::string &surface,
 
 void Fix(const FebInput &condition, const std::string &surface, FebModel &model)
 {
-   const char *const names[3] = {"x_dof", "y_dof", "z_dof"};
    BoundaryCase boundary;
    boundary.surfaces = {surface};
    bool any = false;
    for (int d = 0; d < 3; d++)
    {
-      if (condition.Flag(names[d], false))
+      if (condition.Flag(fixed_components[d], false))
       {
          boundary.displacement[d] = LoadCurve(0.0);
          any = true;
@@ -90,10 +93,103 @@ void Tie(const FebInput &condition, const std::string &surface,
    }
 }
 
-void ReadCondition(const FebInput &condition, FebModel &model)
+// Takes out of a unit vector what is along others, of length 1 and at right
+// angles to each other.
+Point3 Rest(Point3 vector, const std::vector<Point3> &others)
+{
+   for (const Point3 &other : others)
+   {
+      vector = Sum(vector, -Dot(vector, other), other);
+   }
+   return vector;
+}
+
+void AddDirection(const Point3 &direction, std::vector<Point3> &held)
+{
+   constexpr real_t independent = 1e-6;
+   const Point3 rest = Rest(direction, held);
+   if (Length(rest) > independent)
+   {
+      held.push_back(Sum({{0.0, 0.0, 0.0}}, 1.0 / Length(rest), rest));
+   }
+}
+
+Point3 Axis(int component)
+{
+   Point3 axis{{0.0, 0.0, 0.0}};
+   axis[component] = 1.0;
+   return axis;
+}
+
+// The directions in which whole surfaces with the node are held.
+std::vector<Point3> HeldAt(int node, const FebInput &section, FebModel &model)
+{
+   std::vector<Point3> held;
+   for (const FebInput &condition : section.All("bc"))
+   {
+      const std::string set = condition.Attribute("node_set");
+      const std::vector<int> *nodes = model.surfaces->FindNodes(set);
+      if (condition.Attribute("type") == "zero displacement" && nodes &&
+          std::find(nodes->begin(), nodes->end(), node) != nodes->end() &&
+          model.surfaces->AreFaces(set))
+      {
+         for (int d = 0; d < 3; d++)
+         {
+            if (condition.Flag(fixed_components[d], false))
+            {
+               AddDirection(Axis(d), held);
+            }
+         }
+      }
+   }
+   for (const FebGuide &guide : model.guides)
+   {
+      if (guide.nodes.count(node) > 0)
+      {
+         AddDirection(guide.normal, held);
+      }
+   }
+   return held;
+}
+
+// Whether what holds surfaces holds these nodes, which make up none, as well.
+bool IsImplied(const FebInput &condition, const FebInput &section,
+               FebModel &model)
+{
+   constexpr real_t none = 1e-6;
+   const std::string set = condition.Attribute("node_set");
+   const std::vector<int> *found = model.surfaces->FindNodes(set);
+   if (condition.Attribute("type") != "zero displacement" || !found ||
+       found->empty() || model.surfaces->AreFaces(set))
+   {
+      return false;
+   }
+   const std::vector<int> nodes(*found);
+   for (const int node : nodes)
+   {
+      const std::vector<Point3> held = HeldAt(node, section, model);
+      for (int d = 0; d < 3; d++)
+      {
+         if (condition.Flag(fixed_components[d], false) &&
+             Length(Rest(Axis(d), held)) > none)
+         {
+            return false;
+         }
+      }
+   }
+   return true;
+}
+
+void ReadCondition(const FebInput &condition, const FebInput &section,
+                   FebModel &model)
 {
    const std::string type = condition.NeededAttribute("type");
    condition.Attribute("name");
+   if (IsImplied(condition, section, model))
+   {
+      condition.IgnoreAll("conditions of surfaces hold its nodes likewise");
+      return;
+   }
    const auto has = [&](std::initializer_list<const char *> names)
    { return std::find(names.begin(), names.end(), type) != names.end(); };
    if (!has({"zero displacement", "prescribed displacement",
@@ -183,7 +279,7 @@ void ReadBoundary(const FebInput &section, FebModel &model)
 {
    for (const FebInput &condition : section.All("bc"))
    {
-      ReadCondition(condition, model);
+      ReadCondition(condition, section, model);
    }
    ReadRigid(section, model);
    for (const char *name : {"fix", "prescribe", "rigid"})

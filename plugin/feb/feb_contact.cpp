@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace synovia
 {
@@ -109,6 +110,75 @@ void ReadTie(const FebInput &contact, FebModel &model)
    }
 }
 
+// Whether all nodes of the surface belong to solids with fluid.
+bool IsWet(const std::string &surface, FebModel &model)
+{
+   std::set<int> wet;
+   for (const MaterialCase &material : model.setup.materials)
+   {
+      for (const FebPart &part : model.mesh.parts)
+      {
+         const bool of_material =
+            std::find(material.regions.begin(), material.regions.end(),
+                      part.name) != material.regions.end();
+         for (const FebCell &cell : part.cells)
+         {
+            if (of_material && material.HasFluid())
+            {
+               wet.insert(cell.nodes.begin(), cell.nodes.end());
+            }
+         }
+      }
+   }
+   const std::vector<int> *nodes =
+      model.surfaces->FindNodes("@surface:" + surface);
+   return nodes &&
+          std::all_of(nodes->begin(), nodes->end(),
+                      [&wet](int node) { return wet.count(node) > 0; });
+}
+
+bool IsFixed(const RigidBodyCase &body)
+{
+   const auto holds = [](const std::optional<LoadCurve> &curve)
+   { return curve && curve->IsZero(); };
+   return std::all_of(body.translation.begin(), body.translation.end(),
+                      holds) &&
+          std::all_of(body.rotation.begin(), body.rotation.end(), holds);
+}
+
+// A surface that slides along a plane.
+void AddGuide(const FebInput &contact, FebModel &model)
+{
+   const std::string pair = contact.NeededAttribute("surface_pair");
+   const auto guide = std::find_if(model.guides.begin(), model.guides.end(),
+                                   [&pair](const FebGuide &entry)
+                                   { return entry.pair == pair; });
+   if (guide == model.guides.end())
+   {
+      contact.StopAll("it bears tension along no plane");
+      return;
+   }
+   if (!IsFixed(model.setup.rigid_bodies[guide->body]))
+   {
+      contact.Stop("contact bears tension only where the rigid body is fixed");
+   }
+   if (contact.Number("fric_coeff", 0.0) != 0.0)
+   {
+      contact.Stop("contact that bears tension has no friction");
+   }
+   contact.IgnoreAll(
+      "however it is enforced, the surface keeps to the plane (guide)");
+   const std::string surface =
+      model.surfaces->OfFacets(guide->surface, contact);
+   if (!surface.empty())
+   {
+      BoundaryCase boundary;
+      boundary.surfaces = {surface};
+      boundary.guide = guide->normal;
+      model.setup.boundaries.push_back(boundary);
+   }
+}
+
 void ReadPair(const FebInput &contact, FebModel &model)
 {
    const std::string type = contact.NeededAttribute("type");
@@ -117,11 +187,17 @@ void ReadPair(const FebInput &contact, FebModel &model)
       ReadTie(contact, model);
       return;
    }
-   if (type != "sliding-biphasic" && type != "sliding2")
+   const bool elastic = type == "sliding-elastic";
+   if (!elastic && type != "sliding-biphasic" && type != "sliding2")
    {
       contact.StopAll("contact of the type \"" + type +
                       "\" is not known; there are sliding-biphasic, "
-                      "tied-biphasic and tied-elastic");
+                      "sliding-elastic, tied-biphasic and tied-elastic");
+      return;
+   }
+   if (contact.Flag("tension", false))
+   {
+      AddGuide(contact, model);
       return;
    }
    ContactCase pair;
@@ -130,23 +206,34 @@ void ReadPair(const FebInput &contact, FebModel &model)
    IgnorePenalties(contact);
    pair.options.friction = ReadFriction(contact);
    contact.Expect("node_reloc", false, "nodes are not moved before contact");
+   contact.Expect("offset", false, "surfaces touch where they are");
    const FebSurfacePair surfaces = ReadSurfaces(contact, model);
+   if (!surfaces.IsThere())
+   {
+      return;
+   }
+   const auto &[primary, secondary] = surfaces.facets;
    pair.destination = {surfaces.surfaces[0]};
    pair.source = {surfaces.surfaces[1]};
-   const bool rigid_primary = IsRigid(surfaces.facets[0], model);
-   if (rigid_primary && IsRigid(surfaces.facets[1], model))
+   const bool rigid_primary = IsRigid(primary, model);
+   if (elastic && (IsWet(primary, model) || IsWet(secondary, model)))
+   {
+      contact.Stop("the surfaces of sliding-elastic have no fluid behind them "
+                   "here; sliding-biphasic lets it pass");
+   }
+   if (rigid_primary && IsRigid(secondary, model))
    {
       contact.Stop("both surfaces are of rigid bodies");
    }
-   if (rigid_primary)
+   const bool dry_primary = pair.options.friction.coefficient > 0.0 &&
+                            !IsWet(primary, model) && IsWet(secondary, model);
+   if (rigid_primary || dry_primary)
    {
-      // Rigid surfaces bear no multipliers.
+      // Rigid surfaces bear no multipliers, and friction depends on the fluid
+      // of the side that does.
       std::swap(pair.destination, pair.source);
    }
-   if (surfaces.IsThere())
-   {
-      model.setup.contacts.push_back(pair);
-   }
+   model.setup.contacts.push_back(pair);
 }
 } // namespace
 

@@ -9,6 +9,7 @@
 #include "synovia/general/text.hpp"
 #include "synovia/io/output_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -49,17 +50,8 @@ void ForSection(const FebInput &root, const std::string &name, Read read)
    }
 }
 
-void IgnoreOutput(const FebInput &root)
+void IgnoreMeshData(const FebInput &root)
 {
-   root.Ignore("Globals", "they are constants of solutes");
-   ForSection(root, "Output",
-              [](const FebInput &output)
-              {
-                 output.Ignore("plotfile",
-                               "fields/ has all fields of each step");
-                 output.Ignore("logfile", "history.csv has forces, reactions "
-                                          "and contact of each step");
-              });
    ForSection(root, "MeshData",
               [](const FebInput &data)
               {
@@ -172,6 +164,29 @@ std::set<int> Parts(const FebModel &model)
    return parts;
 }
 
+// Leaves out bodies that only guide others.
+void VerifyRigidBodies(FebModel &model)
+{
+   std::vector<RigidBodyCase> kept;
+   for (size_t i = 0; i < model.setup.rigid_bodies.size(); i++)
+   {
+      const RigidBodyCase &body = model.setup.rigid_bodies[i];
+      if (!body.surfaces.empty() || !body.regions.empty())
+      {
+         kept.push_back(body);
+      }
+      else if (std::none_of(model.guides.begin(), model.guides.end(),
+                            [i](const FebGuide &guide)
+                            { return guide.body == static_cast<int>(i); }))
+      {
+         model.materials.rigid[i].where.Stop(
+            "no nodes of a deformable solid are tied to this rigid body, and "
+            "no contact has a surface of it");
+      }
+   }
+   model.setup.rigid_bodies = kept;
+}
+
 void ReadModel(const FebInput &root, FebModel &model)
 {
    ReadModule(root);
@@ -196,6 +211,7 @@ void ReadModel(const FebInput &root, FebModel &model)
    ForSection(root, "Material",
               [&](const FebInput &section)
               { model.materials = ReadMaterials(section, model.mesh); });
+   model.guides = FindGuides(root, model.mesh, model.materials);
    model.touching = FindTouchingParts(model.mesh, model.materials);
    ThickenShells(model.touching, model.mesh);
    model.surfaces = std::make_unique<FebSurfaces>(
@@ -225,16 +241,7 @@ void ReadModel(const FebInput &root, FebModel &model)
          material.fluid_density = 0.0;
       }
    }
-   for (size_t i = 0; i < model.setup.rigid_bodies.size(); i++)
-   {
-      const RigidBodyCase &body = model.setup.rigid_bodies[i];
-      if (body.surfaces.empty() && body.regions.empty())
-      {
-         model.materials.rigid[i].where.Stop(
-            "no nodes of a deformable solid are tied to this rigid body, and "
-            "no contact has a surface of it");
-      }
-   }
+   VerifyRigidBodies(model);
 }
 
 std::string ReadFile(const std::string &file)
@@ -290,7 +297,8 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    }
    FebModel model;
    ReadModel(root, model);
-   IgnoreOutput(root);
+   ReadOutput(root, model);
+   IgnoreMeshData(root);
    if (model.steps.steady && !import.report.IsStopped())
    {
       MakeSteady(root, model);

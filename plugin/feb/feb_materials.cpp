@@ -24,6 +24,26 @@ real_t ReadDensity(const FebInput &from, const std::string &child,
    return density;
 }
 
+SupplyCase ReadSupply(const FebInput &supply)
+{
+   SupplyCase result;
+   const std::string type = supply.NeededAttribute("type");
+   if (type != "Starling")
+   {
+      supply.StopAll("supplies of the type \"" + type +
+                     "\" are not known; there is Starling");
+      return result;
+   }
+   result.model = SupplyModel::starling;
+   result.starling.kp = supply.Number("kp", 0.0);
+   result.starling.pc = supply.Number("pv", 0.0);
+   if (!(result.starling.kp >= 0.0))
+   {
+      supply.Stop("kp must not be negative");
+   }
+   return result;
+}
+
 MaterialCase ReadBiphasic(const FebInput &material)
 {
    MaterialCase result;
@@ -40,6 +60,10 @@ MaterialCase ReadBiphasic(const FebInput &material)
    result.fluid_density = ReadDensity(material, "fluid_density", 0.0);
    material.Ignore("density", "that of the solid counts");
    material.Expect("tau", false, "tau other than 0 is not known");
+   if (const std::optional<FebInput> supply = material.Find("solvent_supply"))
+   {
+      result.supply = ReadSupply(*supply);
+   }
    const Tensor3<> axes = ReadAxes(material);
    const std::optional<FebInput> permeability = material.Find("permeability");
    const std::optional<FebInput> solid = material.Find("solid");

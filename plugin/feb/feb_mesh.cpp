@@ -187,7 +187,7 @@ FebMesh ReadFebMesh(const FebInput &section)
       mesh.surface_pairs[pair.NeededAttribute("name")] = {
          primary, Side(pair, "secondary", "slave")};
    }
-   section.Ignore("ElementSet", "nothing that is read refers to elements");
+   section.Ignore("ElementSet", "only logs refer to elements");
    if (mesh.nodes.empty() || mesh.parts.empty())
    {
       section.Stop("there is no mesh here: Nodes or Elements are missing");

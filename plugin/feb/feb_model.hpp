@@ -2,6 +2,7 @@
 
 #include "synovia/cases/case_file.hpp"
 #include "synovia/feb/feb_curves.hpp"
+#include "synovia/feb/feb_guides.hpp"
 #include "synovia/feb/feb_materials.hpp"
 #include "synovia/feb/feb_mesh.hpp"
 #include "synovia/feb/feb_steps.hpp"
@@ -17,6 +18,7 @@ struct FebModel
    FebCurves curves;
    FebSteps steps;
    FebMaterials materials;
+   std::vector<FebGuide> guides;
    /// Places of the parts of rigid bodies that others touch.
    std::set<int> touching;
    /// Borrows the mesh.
@@ -42,6 +44,10 @@ void ReadRigid(const FebInput &section, FebModel &model);
 void ReadLoads(const FebInput &section, FebModel &model);
 void ReadConstraints(const FebInput &section, FebModel &model);
 void ReadContact(const FebInput &section, FebModel &model);
+
+/// Adds the logs of the section Output to the case of the model, when the rest
+/// has been read.
+void ReadOutput(const FebInput &root, FebModel &model);
 
 /// Reads the steps of a model without them: their time steps, of which those of
 /// the model are made up.

@@ -107,6 +107,40 @@ const std::vector<int> *FebSurfaces::FindNodes(const std::string &set)
    return &list;
 }
 
+std::vector<int> FebSurfaces::FacesOf(const std::vector<int> &nodes,
+                                      std::vector<bool> &left) const
+{
+   std::vector<bool> wanted(mesh.nodes.size(), false);
+   for (const int node : nodes)
+   {
+      wanted[node] = deforms[node];
+   }
+   left = wanted;
+   std::vector<int> members;
+   for (size_t i = 0; i < faces.size(); i++)
+   {
+      if (!is_rigid[i] &&
+          std::all_of(face_nodes[i].begin(), face_nodes[i].end(),
+                      [&](int node) { return wanted[node]; }))
+      {
+         members.push_back(static_cast<int>(i));
+         for (const int node : face_nodes[i])
+         {
+            left[node] = false;
+         }
+      }
+   }
+   return members;
+}
+
+bool FebSurfaces::AreFaces(const std::string &set)
+{
+   const std::vector<int> *nodes = FindNodes(set);
+   std::vector<bool> left;
+   return nodes && !FacesOf(*nodes, left).empty() &&
+          std::count(left.begin(), left.end(), true) == 0;
+}
+
 std::string FebSurfaces::OfNodes(const std::string &set, const FebInput &where)
 {
    const std::vector<int> *nodes = FindNodes(set);
@@ -134,26 +168,8 @@ std::string FebSurfaces::OfNodes(const std::string &set, const FebInput &where)
                                : Add(set + " that deforms", name, members);
    }
 
-   std::vector<bool> wanted(mesh.nodes.size(), false);
-   for (const int node : *nodes)
-   {
-      wanted[node] = deforms[node];
-   }
-   std::vector<bool> left(wanted);
-   std::vector<int> members;
-   for (size_t i = 0; i < faces.size(); i++)
-   {
-      if (!is_rigid[i] &&
-          std::all_of(face_nodes[i].begin(), face_nodes[i].end(),
-                      [&](int node) { return wanted[node]; }))
-      {
-         members.push_back(static_cast<int>(i));
-         for (const int node : face_nodes[i])
-         {
-            left[node] = false;
-         }
-      }
-   }
+   std::vector<bool> left;
+   const std::vector<int> members = FacesOf(*nodes, left);
    const auto rest = std::count(left.begin(), left.end(), true);
    if (rest > 0)
    {

@@ -30,6 +30,9 @@ public:
    FebSurfaces(const FebMesh &mesh, const std::set<int> &deformable,
                const std::set<int> &rigid);
 
+   /// Whether the nodes of this set, as OfNodes() understands it, make up whole
+   /// outer faces.
+   bool AreFaces(const std::string &set);
    /// The name of the surface with the nodes of this set, which may also be
    /// given as "@surface:NAME"; empty, and @a where stops, if there is no such
    /// set, or if its nodes don't make up whole outer faces.
@@ -50,6 +53,10 @@ public:
    const std::vector<int> *FindNodes(const std::string &set);
 
 private:
+   /// The outer faces whose nodes are all among these; @a left are those on no
+   /// such face.
+   std::vector<int> FacesOf(const std::vector<int> &nodes,
+                            std::vector<bool> &left) const;
    std::string Add(const std::string &key, const std::string &name,
                    const std::vector<int> &members);
    /// Faces of a surface, without rigid ones if these don't count; none, and

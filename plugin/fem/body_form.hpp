@@ -2,6 +2,7 @@
 
 #include "synovia/fem/volume_matrices.hpp"
 
+#include <optional>
 #include <string>
 
 namespace synovia
@@ -72,6 +73,13 @@ public:
    /// What loads that follow the deformation let into this rank's bodies
    /// (volume / time).
    virtual mfem::real_t Inflow(const BodyStage &) const { return 0.0; }
+
+   /// What vessels let into this rank's bodies (volume / time); none, on all
+   /// ranks, where there are no vessels.
+   virtual std::optional<mfem::real_t> Supply(const BodyStage &) const
+   {
+      return std::nullopt;
+   }
 
    /// Adds the magnitudes of the terms that cancel in Mult(), for absolute
    /// values of @a u and @a p: what round-off is relative to.

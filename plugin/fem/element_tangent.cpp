@@ -46,6 +46,29 @@ bool ElementTangent::GetSolidTangent(BodyElement &element,
           material.solid->GetStress(element.Point(q), F, stress, &solid);
 }
 
+void ElementTangent::AddSupply(BodyElement &element, const FluidSupply &supply,
+                               real_t dt)
+{
+   const DenseMatrix &shapes = element.PressureShapes();
+   supplies.SetSize(shapes.Height(), shapes.Width());
+   for (int q = 0; q < element.Points(); q++)
+   {
+      const real_t change = dt * supply.Rate(element.Pressure(q));
+      for (int k = 0; k < volume_changes.Height(); k++)
+      {
+         volume_changes(k, q) *= -change;
+      }
+      const real_t share =
+         supply.kp * element.Weight(q) * det(element.DeformationGradient(q));
+      for (int k = 0; k < supplies.Height(); k++)
+      {
+         supplies(k, q) = share * shapes(k, q);
+      }
+   }
+   AddMultABt(shapes, volume_changes, flow_change);
+   AddMultABt(shapes, supplies, darcy);
+}
+
 bool ElementTangent::Compute(BodyElement &element, const Material &material,
                              real_t dt)
 {
@@ -138,6 +161,10 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
    MultABt(element.PressureShapes(), volume_changes, growth);
    MultABt(p_gradients, flow_changes, flow_change);
    MultABt(p_gradients, flows, darcy);
+   if (material.HasSupply())
+   {
+      AddSupply(element, material.supply, dt);
+   }
    return true;
 }
 

@@ -13,7 +13,8 @@ namespace synovia
 ///     stiffness    int grad w : [dP_e/dF - p d(J F^-T)/dF] : grad du
 ///     growth       int q J F^-T : grad du
 ///     flow_change  dt int grad q . (dK/dF : grad du) grad p
-///     darcy        int grad q . K grad dp
+///                  - dt int q kp (pc - p) J F^-T : grad du
+///     darcy        int grad q . K grad dp + int q J kp dp
 class ElementTangent
 {
 public:
@@ -40,7 +41,12 @@ private:
    mfem::DenseMatrix volume_changes;
    mfem::DenseMatrix flow_changes;
    mfem::DenseMatrix flows;
+   mfem::DenseMatrix supplies;
    mfem::DenseMatrix stiffness_rows;
+
+   /// Adds what the supply changes, with the other terms there already.
+   void AddSupply(BodyElement &element, const FluidSupply &supply,
+                  mfem::real_t dt);
 };
 
 } // namespace synovia

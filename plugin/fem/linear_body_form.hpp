@@ -13,9 +13,10 @@ namespace synovia
 /// Bodies of infinitesimal strain and linear laws:
 ///
 ///     momentum:  K u - B^T p
-///     mass:      B (u - u0) + dt L p + S (p - p0 - smooth part)
+///     mass:      B (u - u0) + dt (L p - s) + S (p - p0 - smooth part)
 ///
-/// with matrices that never change.
+/// with matrices that never change, and s what vessels let in where the
+/// pressure is 0.
 class LinearBodyForm : public BodyForm
 {
 public:
@@ -34,6 +35,7 @@ public:
       Mult(stage, momentum, mass);
    }
    void GetGrowth(const BodyStage &stage, mfem::Vector &growth) const override;
+   std::optional<mfem::real_t> Supply(const BodyStage &stage) const override;
    void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
                       const mfem::Vector &p, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;
@@ -49,6 +51,9 @@ private:
    /// What the stabilization does to the smooth part of the pressure's change,
    /// which it must not do, in the stage (volume).
    mfem::Vector relief;
+   bool has_supply = false;
+   /// s, true dofs (volume / time), if there are vessels.
+   mfem::Vector supply;
 };
 
 } // namespace synovia

@@ -272,7 +272,8 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
       {
          flows[3 * q + c] = fluid[c];
       }
-      growths[q] = weight * (J - stage.conserved0[element.FirstPoint() + q]);
+      growths[q] = weight * (J - stage.conserved0[element.FirstPoint() + q] -
+                             stage.dt * J * material.supply.Rate(pressure));
    }
    Vector forces(element.DisplacementDofs().Size());
    DenseMatrix by_node(forces.GetData(), forces.Size() / 3, 3);
@@ -374,6 +375,32 @@ real_t TotalLagrangianForm::Inflow(const BodyStage &stage) const
    inflow = 0.0;
    loads.AddLoads(ToLoads(stage), forces, inflow);
    return inflow.Sum();
+}
+
+std::optional<real_t> TotalLagrangianForm::Supply(const BodyStage &stage) const
+{
+   if (!materials.HasSupply())
+   {
+      return std::nullopt;
+   }
+   ToLocal(stage);
+   real_t sum = 0.0;
+   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
+   {
+      const Material &material =
+         materials.Get(spaces.GetMesh().GetAttribute(e));
+      if (!material.HasSupply())
+      {
+         continue;
+      }
+      element.Set(e, u, p);
+      for (int q = 0; q < element.Points(); q++)
+      {
+         sum += element.Weight(q) * det(element.DeformationGradient(q)) *
+                material.supply.Rate(element.Pressure(q));
+      }
+   }
+   return sum;
 }
 
 void TotalLagrangianForm::AddMagnitudes(real_t dt, const Vector &u_magnitude,
@@ -487,17 +514,17 @@ void TotalLagrangianForm::CorrectStraightTangent()
 {
    u = 0.0;
    p = 0.0;
-   // Nothing flows at rest.
-   constexpr real_t any_step = 1.0;
+   // Nothing flows at rest, but out of vessels for how long is not known.
+   constexpr real_t no_time = 0.0;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
       if (IsRigid(e))
       {
          continue;
       }
-      LinearizeElement(element, e, any_step);
+      LinearizeElement(element, e, no_time);
       AddTangent(e);
-      LinearizeElement(*straight_element, e, any_step);
+      LinearizeElement(*straight_element, e, no_time);
       for (DenseMatrix *part : {&tangent.stiffness, &tangent.growth,
                                 &tangent.flow_change, &tangent.darcy})
       {

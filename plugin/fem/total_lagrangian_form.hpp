@@ -21,7 +21,7 @@ namespace synovia
 ///
 ///     momentum:  int (P_e(F) - p J F^-T) : grad w
 ///     mass:      int q (J - J_0) + dt int grad q . K(F) grad p
-///                + S (p - p_0 - smooth part)
+///                - dt int q J kp (pc - p) + S (p - p_0 - smooth part)
 ///
 /// less FollowerLoads and GravityLoads, with F = I + grad u, the pressure p of
 /// the fluid in space, and J_0 what the stage begins with: fluid is conserved
@@ -52,6 +52,7 @@ public:
                       mfem::Vector &mass) const override;
    void GetGrowth(const BodyStage &stage, mfem::Vector &growth) const override;
    mfem::real_t Inflow(const BodyStage &stage) const override;
+   std::optional<mfem::real_t> Supply(const BodyStage &stage) const override;
    void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
                       const mfem::Vector &p, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;

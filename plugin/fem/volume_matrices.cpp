@@ -52,6 +52,15 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    Sparsity sparsity(spaces.Pressure(), spaces.Pressure());
    darcy = Assemble(spaces.Pressure(), sparsity,
                     new WithFewerPoints<DiffusionIntegrator>(permeability));
+   if (materials.HasSupply())
+   {
+      SupplyCoefficient supply(materials, [](const FluidSupply &vessels)
+                               { return vessels.kp; });
+      const std::unique_ptr<HypreParMatrix> held_back =
+         Assemble(spaces.Pressure(), sparsity,
+                  new WithFewerPoints<MassIntegrator>(supply));
+      darcy.reset(Add(1.0, *darcy, 1.0, *held_back));
+   }
    compliance =
       Assemble(spaces.Pressure(), sparsity,
                new WithFewerPoints<MassIntegrator>(drained_compliance));

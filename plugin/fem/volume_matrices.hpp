@@ -23,7 +23,8 @@ struct VolumeMatrices
    /// change of the flow as well.
    std::shared_ptr<mfem::HypreParMatrix> divergence;
    std::shared_ptr<mfem::HypreParMatrix> divergence_transpose;
-   /// (kappa grad p, grad q), pressure x pressure.
+   /// (kappa grad p, grad q) + (kp p, q), pressure x pressure: flow, and what
+   /// the pressure holds back of a FluidSupply.
    std::shared_ptr<mfem::HypreParMatrix> darcy;
    /// Pressure-projection stabilization for dp/dt; null where it isn't needed.
    std::shared_ptr<mfem::HypreParMatrix> stabilization;

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 // Paths of files within the output directory.
 const std::regex history_name(R"(history\.(csv|h5)(\.new)?)");
 const std::regex line_name(R"(lines/.+_t([-+.e0-9]+)\.csv(\.new)?)");
+const std::regex log_name(R"(logs/[^/]+)");
 const std::regex series_name(R"(fields/([^/]+)/\1\.pvd(\.new)?)");
 const std::regex
    fields_name(R"(fields/[^/]+/Cycle([0-9]+)/(data\.pvtu|proc[0-9]+\.vtu))");
@@ -29,7 +30,7 @@ const std::regex
    checkpoint_name(R"(checkpoint/(checkpoint_[0-9]+|step_[^/]+)\.h5(\.new)?)");
 const std::regex about_name(R"(run\.log|case\.toml(\.new)?|report\.html)");
 constexpr const char *report_name = "report.html";
-const char *const folders[] = {"lines", "fields", "checkpoint"};
+const char *const folders[] = {"lines", "logs", "fields", "checkpoint"};
 
 struct Found
 {
@@ -43,8 +44,8 @@ struct Found
    }
    bool IsResult() const
    {
-      return Is(history_name) || Is(line_name) || Is(series_name) ||
-             Is(fields_name) || Is(checkpoint_name);
+      return Is(history_name) || Is(line_name) || Is(log_name) ||
+             Is(series_name) || Is(fields_name) || Is(checkpoint_name);
    }
    /// What the first group of the pattern matches; empty if the name does not.
    std::string Part(const std::regex &pattern) const

@@ -8,8 +8,8 @@ namespace synovia
 {
 
 // The files that a run writes into its output directory: history.*, lines/,
-// fields/, checkpoint/, run.log and case.toml, with the report.html that is
-// made of them. For one process. Errors are std::runtime_error.
+// logs/, fields/, checkpoint/, run.log and case.toml, with the report.html that
+// is made of them. For one process. Errors are std::runtime_error.
 
 /// The results in a directory, such as "history.csv, lines/ (3 files)"; empty
 /// if there is none. A log, a case or a report without any is no result.

@@ -159,6 +159,10 @@ History::Row StepDiagnostics(BiphasicProblem &problem, TimeStepper &stepper,
    const Vector &pressure = stepper.State().GetBlock(1);
    row.emplace_back("fluid.growth", op.Balance().growth);
    row.emplace_back("fluid.outflow", op.Balance().outflow);
+   if (op.Balance().supply)
+   {
+      row.emplace_back("fluid.supply", *op.Balance().supply);
+   }
    row.emplace_back("fluid.volume_balance", op.Balance().error);
    row.emplace_back(
       "fluid.peak_pressure",

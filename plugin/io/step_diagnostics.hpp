@@ -24,8 +24,9 @@ namespace synovia
 ///     origin), .force_error, .moment_error (both sides' sum),
 ///     .displacement_jump, .pressure_jump, .fluid_exchange (the last two where
 ///     both sides have fluid)
-///     fluid.growth, fluid.outflow, fluid.volume_balance (volume / time),
-///     fluid.peak_pressure
+///     fluid.growth, fluid.outflow (volume / time), fluid.supply (likewise,
+///     where vessels let fluid in), fluid.volume_balance (growth + outflow -
+///     supply), fluid.peak_pressure
 ///     solver.newton, .augmentations, .linear, .most_linear
 ///     solver.assemblies, .searches, .setups, .factorizations, .columns (see
 ///     WorkCounts; of all tries)

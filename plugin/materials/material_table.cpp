@@ -1,6 +1,8 @@
 #include "synovia/materials/material_table.hpp"
 #include "synovia/materials/law_description.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -44,6 +46,13 @@ Array<int> MaterialTable::WithFluid(const Array<int> &attributes) const
       }
    }
    return wet;
+}
+
+bool MaterialTable::HasSupply() const
+{
+   return std::any_of(by_attribute.begin(), by_attribute.end(),
+                      [](const std::optional<Material> &material)
+                      { return material && material->HasSupply(); });
 }
 
 } // namespace synovia

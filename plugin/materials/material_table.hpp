@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/materials/fluid_supply.hpp"
 #include "synovia/materials/permeability_law.hpp"
 #include "synovia/materials/solid_law.hpp"
 
@@ -26,9 +27,12 @@ struct Material
    /// True ones of solid and fluid, for forces per mass (mass / volume).
    mfem::real_t solid_density = 0.0;
    mfem::real_t fluid_density = 0.0;
+   /// Without effect where there is no fluid.
+   FluidSupply supply{};
 
    bool IsRigid() const { return solid == nullptr; }
    bool HasFluid() const { return permeability != nullptr; }
+   bool HasSupply() const { return HasFluid() && supply.Any(); }
 };
 
 /// The material of each element attribute.
@@ -44,6 +48,8 @@ public:
    /// Of these attributes, those whose materials have fluid; all of them must
    /// have a material.
    mfem::Array<int> WithFluid(const mfem::Array<int> &attributes) const;
+   /// Whether fluid is supplied anywhere.
+   bool HasSupply() const;
 
 private:
    std::vector<std::optional<Material>> by_attribute;
@@ -69,6 +75,29 @@ public:
 
 private:
    const MaterialTable &materials;
+};
+
+/// A number of the table's supplies of fluid; 0 where there is none.
+class SupplyCoefficient : public mfem::Coefficient
+{
+public:
+   using Number = mfem::real_t (*)(const FluidSupply &);
+
+   /// Borrows @a materials.
+   SupplyCoefficient(const MaterialTable &materials_, Number number_)
+      : materials(materials_), number(number_)
+   {
+   }
+   mfem::real_t Eval(mfem::ElementTransformation &trans,
+                     const mfem::IntegrationPoint &) override
+   {
+      const Material &material = materials.Get(trans.Attribute);
+      return material.HasSupply() ? number(material.supply) : 0.0;
+   }
+
+private:
+   const MaterialTable &materials;
+   Number number;
 };
 
 /// 1/H_A of the table's materials; 0 without fluid.

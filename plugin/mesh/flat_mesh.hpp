@@ -35,6 +35,8 @@ struct FlatMesh
    std::vector<double> coordinates;
    /// The first so many nodes are vertices, the others shape curved elements.
    int vertices = 0;
+   /// Numbers of the vertices in the file.
+   std::vector<long long> vertex_numbers;
 
    /// Of each element: its shape, its attribute and its number in the file.
    std::vector<int> element_shapes;

@@ -175,6 +175,11 @@ std::vector<int> SetNodes(const MshContents &contents, FlatMesh &flat)
             const auto from = contents.coordinates.begin() + 3 * i;
             flat.coordinates.insert(flat.coordinates.end(), from, from + 3);
             places[i] = next++;
+            if (kind == corner)
+            {
+               flat.vertex_numbers.push_back(
+                  static_cast<long long>(contents.node_numbers[i]));
+            }
          }
       }
       flat.vertices = kind == corner ? next : flat.vertices;

@@ -9,6 +9,7 @@
 #include "synovia/mesh/tangled_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace synovia
@@ -66,6 +67,12 @@ void AddShapesTo(FileContents &contents, const std::vector<RigidShape> &shapes)
    {
       flat.element_numbers.push_back(++number);
    }
+   number =
+      *std::max_element(flat.vertex_numbers.begin(), flat.vertex_numbers.end());
+   while (static_cast<int>(flat.vertex_numbers.size()) < contents.mesh.GetNV())
+   {
+      flat.vertex_numbers.push_back(++number);
+   }
    for (auto &entry : flat.element_vectors)
    {
       entry.second.resize(flat.element_numbers.size(), Point3{});
@@ -120,6 +127,44 @@ FileContents ReadOnRankZero(const std::string &file, MPI_Comm comm,
    ThrowIfAny(comm, message);
    BroadcastNames(contents.flat, comm);
    return contents;
+}
+
+// Numbers of the vertices of each element, before others stand on it.
+using CornerNumbers = std::array<long long, 8>;
+
+std::vector<CornerNumbers> NumberCorners(const FlatMesh &flat, Mesh &serial)
+{
+   std::vector<CornerNumbers> corners(serial.GetNE());
+   Array<int> vertices;
+   for (int i = 0; i < serial.GetNE(); i++)
+   {
+      serial.GetElementVertices(i, vertices);
+      for (int j = 0; j < vertices.Size(); j++)
+      {
+         corners[i][j] = flat.vertex_numbers[vertices[j]];
+      }
+   }
+   return corners;
+}
+
+// A rank's own, @a corners being of its elements in the order of the mesh.
+FileNumbers NumbersOnRank(Mesh &mesh, const std::vector<CornerNumbers> &corners,
+                          const std::vector<long long> &elements)
+{
+   FileNumbers numbers;
+   numbers.known = true;
+   numbers.elements = elements;
+   numbers.vertices.assign(mesh.GetNV(), 0);
+   Array<int> vertices;
+   for (int i = 0; i < mesh.GetNE(); i++)
+   {
+      mesh.GetElementVertices(i, vertices);
+      for (int j = 0; j < vertices.Size(); j++)
+      {
+         numbers.vertices[vertices[j]] = corners[i][j];
+      }
+   }
+   return numbers;
 }
 
 // Gives each element the value of the one that it is a part of.
@@ -185,6 +230,12 @@ NamedMesh Read(const std::string &file, MPI_Comm comm,
       }
    }
    MPI_Bcast(&refined, 1, MPI_INT, 0, comm);
+   const bool as_in_file = options.refine == 0;
+   std::vector<CornerNumbers> corners;
+   if (rank == 0 && as_in_file)
+   {
+      corners = NumberCorners(flat, serial);
+   }
    MeshShare share =
       ScatterMesh(serial, flat.regions, flat.boundaries, comm, partitioning);
    serial.Clear();
@@ -204,6 +255,11 @@ NamedMesh Read(const std::string &file, MPI_Comm comm,
    NamedMesh mesh(std::move(share.mesh), flat.regions, flat.boundaries,
                   std::move(share.serial_elements));
    mesh.SetVectors(std::move(vectors));
+   if (as_in_file)
+   {
+      mesh.SetNumbers(NumbersOnRank(
+         mesh.Get(), ScatterByElement(corners, partitioning, comm), numbers));
+   }
    return mesh;
 }
 

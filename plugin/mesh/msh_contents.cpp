@@ -89,8 +89,6 @@ private:
    std::set<std::string> seen;
    double version = 0.0;
    bool binary = false;
-   // Numbers of the nodes, ascending, in the order of the coordinates.
-   std::vector<size_t> node_numbers;
    std::map<std::pair<Dimension, Tag>, std::string> names;
    // Version 4: physical groups of an entity.
    std::map<std::pair<Dimension, Tag>, std::vector<int>> entity_groups;
@@ -328,12 +326,13 @@ private:
                 [&](size_t a, size_t b) { return numbers[a] < numbers[b]; });
       for (const size_t i : order)
       {
-         if (!node_numbers.empty() && node_numbers.back() == numbers[i])
+         if (!contents.node_numbers.empty() &&
+             contents.node_numbers.back() == numbers[i])
          {
             cursor.Fail("there are two nodes with the number " +
                         std::to_string(numbers[i]));
          }
-         node_numbers.push_back(numbers[i]);
+         contents.node_numbers.push_back(numbers[i]);
          contents.coordinates.insert(contents.coordinates.end(),
                                      positions.begin() + 3 * i,
                                      positions.begin() + 3 * i + 3);
@@ -523,9 +522,9 @@ private:
 
    void AddNode(const GmshElementType &type, size_t element, size_t number)
    {
-      const auto found =
-         std::lower_bound(node_numbers.begin(), node_numbers.end(), number);
-      if (found == node_numbers.end() || *found != number)
+      const auto found = std::lower_bound(contents.node_numbers.begin(),
+                                          contents.node_numbers.end(), number);
+      if (found == contents.node_numbers.end() || *found != number)
       {
          cursor.Fail("element " + std::to_string(element) + " has the node " +
                      std::to_string(number) + ", which does not exist");
@@ -533,7 +532,8 @@ private:
       MshCells *const cells = CellsOf(type.dimension);
       if (cells)
       {
-         cells->nodes.push_back(static_cast<int>(found - node_numbers.begin()));
+         cells->nodes.push_back(
+            static_cast<int>(found - contents.node_numbers.begin()));
       }
    }
 

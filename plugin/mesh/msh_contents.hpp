@@ -41,6 +41,8 @@ struct MshContents
 {
    /// x, y, z of all nodes.
    std::vector<double> coordinates;
+   /// Their numbers, ascending.
+   std::vector<size_t> node_numbers;
    MshCells volumes;
    MshCells surfaces;
    /// By the names of views, what $ElementData has of vectors, by the numbers

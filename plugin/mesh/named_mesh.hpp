@@ -24,6 +24,18 @@ struct ElementVectors
    std::vector<long long> numbers;
 };
 
+/// The numbers that a mesh file has for its elements and vertices; none where
+/// the mesh is of no file, or refined.
+struct FileNumbers
+{
+   /// One for each element of this rank.
+   std::vector<long long> elements;
+   /// One for each vertex of this rank.
+   std::vector<long long> vertices;
+   /// On all ranks alike.
+   bool known = false;
+};
+
 /// A distributed mesh whose regions and boundaries go by name.
 ///
 /// All bodies of a problem are regions of one mesh; they need not touch. A name
@@ -66,12 +78,16 @@ public:
    /// same order of its vertices.
    const std::vector<int> &SerialElements() const { return serial_elements; }
 
+   const FileNumbers &Numbers() const { return numbers; }
+   void SetNumbers(FileNumbers numbers_) { numbers = std::move(numbers_); }
+
 private:
    std::unique_ptr<mfem::ParMesh> mesh;
    NameTable regions;
    NameTable boundaries;
    std::vector<int> serial_elements;
    std::map<std::string, ElementVectors> vectors;
+   FileNumbers numbers;
 };
 
 /// The names that stand for an attribute, joined by slashes, or its number.

@@ -4,16 +4,34 @@
 #include "synovia/fem/linear_body_form.hpp"
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
 #include "synovia/mesh/named_boundaries.hpp"
 #include "synovia/mesh/region_boundaries.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
 
 using namespace mfem;
+
+namespace
+{
+real_t AreaOf(ElementTransformation &trans)
+{
+   const IntegrationRule &rule =
+      IntRules.Get(trans.GetGeometryType(), trans.OrderW() + 2);
+   real_t area = 0.0;
+   for (const IntegrationPoint &point : rule)
+   {
+      trans.SetIntPoint(&point);
+      area += point.weight * trans.Weight();
+   }
+   return area;
+}
+} // namespace
 
 BiphasicProblem::BiphasicProblem(NamedMesh &mesh_, const SpaceOptions &options)
    : mesh(mesh_), deformation(options.deformation),
@@ -193,6 +211,36 @@ void BiphasicProblem::AddSprings(const std::vector<std::string> &boundaries,
    VerifyOpen();
    conditions->AddSprings(Boundaries(boundaries), stiffness, direction);
    spring_names.push_back(boundaries.front());
+}
+
+void BiphasicProblem::AddGuide(const std::vector<std::string> &boundaries,
+                               const Point3 &direction)
+{
+   constexpr real_t stiffer = 1e6;
+   ParMesh &bodies = mesh.Get();
+   const Array<int> attributes = Boundaries(boundaries);
+   real_t area = 0.0;
+   real_t modulus = 0.0;
+   for (int b = 0; b < bodies.GetNBE(); b++)
+   {
+      if (attributes.Find(bodies.GetBdrAttribute(b)) < 0)
+      {
+         continue;
+      }
+      area += AreaOf(*bodies.GetBdrElementTransformation(b));
+      int element = 0;
+      int info = 0;
+      bodies.GetBdrElementAdjacentElement(b, element, info);
+      const Material &material = materials.Get(bodies.GetAttribute(element));
+      if (!material.IsRigid())
+      {
+         modulus = std::max(modulus, material.solid->AggregateModulus());
+      }
+   }
+   area = SumOverRanks(area, mesh.GetComm());
+   modulus = MaxOverRanks(modulus, mesh.GetComm());
+   AddSprings(boundaries, stiffer * modulus * std::sqrt(area),
+              Vector({direction[0], direction[1], direction[2]}));
 }
 
 void BiphasicProblem::DriveByForce(const std::vector<std::string> &boundaries,

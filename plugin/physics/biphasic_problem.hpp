@@ -82,6 +82,12 @@ public:
    void AddSprings(const std::vector<std::string> &boundaries,
                    mfem::real_t stiffness,
                    const mfem::Vector &direction = mfem::Vector());
+   /// Lets boundaries slide along a plane across @a direction, of any length
+   /// but zero: springs across it hold them that give way by 1e-6 of what a
+   /// stress compresses as much of the body as the boundaries are wide. The
+   /// materials behind must have been set.
+   void AddGuide(const std::vector<std::string> &boundaries,
+                 const Point3 &direction);
    /// Moves boundaries, together one rigid surface, along @a direction by the
    /// resultant @a force (force). Components that are zero in @a direction are
    /// free unless they are prescribed.

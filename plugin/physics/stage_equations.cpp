@@ -235,7 +235,13 @@ StageBalance StageEquations::Balance(const ImplicitStage &stage) const
       SumOverRanks(stage.mass_load.Sum() + bodies->Inflow(stage), comm);
    balance.growth = SumOverRanks(growth.Sum(), comm) / stage.dt;
    balance.outflow = -SumOverRanks(drained, comm) / stage.dt - sources;
-   balance.error = balance.growth + balance.outflow;
+   balance.supply = bodies->Supply(stage);
+   if (balance.supply)
+   {
+      balance.supply = SumOverRanks(*balance.supply, comm);
+   }
+   balance.error =
+      balance.growth + balance.outflow - balance.supply.value_or(0.0);
    return balance;
 }
 

@@ -8,6 +8,7 @@
 #include "synovia/physics/contact_drainage.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace synovia
@@ -36,7 +37,9 @@ struct StageBalance
    /// Fluid that leaves through drained and prescribed boundaries (volume /
    /// time).
    mfem::real_t outflow = 0.0;
-   /// What is missing: growth + outflow - sources (volume / time).
+   /// What vessels let in (volume / time); none without vessels.
+   std::optional<mfem::real_t> supply;
+   /// What is missing: growth + outflow - supply (volume / time).
    mfem::real_t error = 0.0;
 };
 

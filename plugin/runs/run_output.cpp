@@ -2,6 +2,7 @@
 #include "synovia/general/root_rank.hpp"
 #include "synovia/io/checkpoint.hpp"
 #include "synovia/io/checkpoint_directory.hpp"
+#include "synovia/io/log_tables.hpp"
 #include "synovia/runs/line_output.hpp"
 
 #include <cmath>
@@ -19,10 +20,26 @@ bool IsSameTime(real_t a, real_t b, const TimeOptions &options)
    return std::abs(a - b) <= same_part * options.step;
 }
 
+namespace
+{
+std::unique_ptr<LogTables> MakeLogs(const CaseFile &setup,
+                                    BiphasicProblem &problem)
+{
+   std::unique_ptr<LogTables> logs;
+   CaseReading reading(setup.places);
+   reading.Catch(
+      "output.log", [&]()
+      { logs = std::make_unique<LogTables>(setup.output.logs, problem); });
+   reading.ThrowIfAny();
+   return logs;
+}
+} // namespace
+
 RunOutput::RunOutput(const CaseOfStep &step_, BiphasicProblem &problem_,
                      const std::string &text_)
    : step(step_), setup(step.setup), problem(problem_), text(text_),
-     lines(std::make_unique<LineOutput>(setup, problem))
+     lines(std::make_unique<LineOutput>(setup, problem)),
+     logs(MakeLogs(setup, problem))
 {
 }
 
@@ -40,6 +57,8 @@ void RunOutput::Open(TimeStepper &stepper_, bool goes_on)
             OfRoot(std::filesystem::exists(directory + "/history.csv"), comm)
          ? std::optional<real_t>(stepper->Time())
          : std::nullopt);
+   logs->Open(directory,
+              goes_on ? std::optional<real_t>(stepper->Time()) : std::nullopt);
    if (setup.output.fields_every > 0)
    {
       fields =
@@ -77,6 +96,7 @@ void RunOutput::Record(const History::Row &row)
       }
    }
    lines->Write(due, *stepper);
+   logs->Write(*stepper);
 }
 
 bool RunOutput::CheckpointIsDue() const

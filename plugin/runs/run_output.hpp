@@ -12,17 +12,20 @@ namespace synovia
 {
 
 class LineOutput;
+class LogTables;
 
 /// Whether times differ by no more than round-off does, in steps.
 bool IsSameTime(mfem::real_t a, mfem::real_t b, const TimeOptions &options);
 
-/// What a run writes of its steps: history.csv, history.h5, lines/, fields/ and
-/// checkpoint/, as often as the case says. All members are collective.
+/// What a run writes of its steps: history.csv, history.h5, lines/, logs/,
+/// fields/ and checkpoint/, as often as the case says. All members are
+/// collective.
 class RunOutput
 {
 public:
    /// Of one step of a case, whose text is @a text. Borrows @a step and @a
-   /// problem. Nothing is written yet. Throws Error if a line leaves the mesh.
+   /// problem. Nothing is written yet. Throws Error if a line leaves the mesh,
+   /// or a log names what it does not have.
    RunOutput(const CaseOfStep &step, BiphasicProblem &problem,
              const std::string &text);
    ~RunOutput();
@@ -47,6 +50,7 @@ private:
    std::string text;
    TimeStepper *stepper = nullptr;
    std::unique_ptr<LineOutput> lines;
+   std::unique_ptr<LogTables> logs;
    std::unique_ptr<History> history;
    std::unique_ptr<FieldOutput> fields;
 };

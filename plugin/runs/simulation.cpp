@@ -9,7 +9,6 @@
 #include "synovia/io/checkpoint.hpp"
 #include "synovia/io/checkpoint_directory.hpp"
 #include "synovia/io/step_diagnostics.hpp"
-#include "synovia/runs/line_output.hpp"
 #include "synovia/runs/problem_report.hpp"
 #include "synovia/runs/restart_rules.hpp"
 #include "synovia/runs/resume_command.hpp"
@@ -44,7 +43,7 @@ Simulation::~Simulation() = default;
 void Simulation::Describe(std::ostream &out)
 {
    const ProblemReport report(sequence.Present().setup, sequence.Problem());
-   const LineOutput reachable(setup, Problem());
+   const std::unique_ptr<RunOutput> possible = MakeOutput();
    if (IsRoot(comm))
    {
       report.Write(out);

@@ -109,12 +109,17 @@ def round_trip(directory: pathlib.Path) -> None:
         solid='<solid type="Holmes-Mow"><E>0.7</E><v>0.1</v>'
               "<beta>0.35</beta></solid>",
         permeability='<permeability type="perm-Holmes-Mow"><perm>0.00123'
-                     "</perm><M>2.2</M><alpha>2</alpha></permeability>",
+                     "</perm><M>2.2</M><alpha>2</alpha></permeability>"
+                     '<solvent_supply type="Starling"><kp>0.0123</kp>'
+                     "<pv>0.07</pv></solvent_supply>",
         stepper='<time_stepper type="default"><dtmin>0.01</dtmin>'
                 '<dtmax lc="2">0</dtmax></time_stepper>',
         sections='<Loads><surface_load name="press" surface="top" '
                  'type="pressure"><pressure lc="1">0.3</pressure>'
-                 "</surface_load></Loads>",
+                 "</surface_load></Loads>"
+                 '<Output><logfile><node_data data="uz;Rz;p" '
+                 'file="nodes.txt"/><element_data data="sz;J" delim=",">2'
+                 "</element_data></logfile></Output>",
         curves=["<interpolate>SMOOTH</interpolate><points><pt>0,0</pt>"
                 "<pt>4,0.3</pt><pt>9,1</pt><pt>20,0.8</pt></points>",
                 "<interpolate>STEP</interpolate><points><pt>0,0</pt>"
@@ -132,6 +137,16 @@ def round_trip(directory: pathlib.Path) -> None:
     worst = largest_difference(direct, converted)
     check(len(direct) == len(converted) and worst < 1e-10,
           f"the converted model gives the same history: {worst:.1e}")
+    for name in "nodes.txt", "element_data.txt":
+        logs = [(directory / run / "logs" / name).read_text().splitlines()
+                for run in ("direct", "converted")]
+        check(logs[0] == logs[1] and len(logs[0]) >= 4 * len(direct),
+              f"and the same log {name}")
+    check(logs[0][3].startswith("2,-"), "columns are delimited as said")
+    check(abs(direct[-1]["fluid.growth"] + direct[-1]["fluid.outflow"]
+              - direct[-1]["fluid.supply"]) < 1e-8
+          and abs(direct[-1]["fluid.supply"]) > 1e-6,
+          "what vessels let in is in the balance")
     parallel = run(model, directory / "parallel", MPIEXEC, "-n", "2")
     worst = max(abs(a["reaction.bottom.z"] - b["reaction.bottom.z"])
                 for a, b in zip(direct, parallel))

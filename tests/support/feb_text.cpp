@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace synovia
 {
@@ -142,6 +143,82 @@ std::string FebPressedColumn()
 		<contact name="press" surface_pair="pair" type="sliding-biphasic"/>
 	</Contact>
 	<Loads>)");
+}
+
+std::string FebGuidedColumn()
+{
+   const std::pair<const char *, const char *> changes[] = {
+      {"<permeability type=",
+       R"(<solvent_supply type="Starling"><kp>0.02</kp><pv>0.3</pv>
+			</solvent_supply>
+			<permeability type=)"},
+      {"</Material>",
+       R"(	<material id="2" name="wall" type="rigid body">
+			<center_of_mass>1,0,0</center_of_mass>
+		</material>
+	</Material>)"},
+      {"</Nodes>",
+       R"(	<node id="21">1,-1,-1</node>
+			<node id="22">1,2,-1</node>
+			<node id="23">1,2,3</node>
+			<node id="24">1,-1,3</node>
+		</Nodes>
+		<Elements type="quad4" name="wall">
+			<elem id="9">21,22,23,24</elem>
+		</Elements>)"},
+      {"<Surface name=\"top\">",
+       R"(<NodeSet name="edge">2,6,10</NodeSet>
+		<NodeSet name="front">1,2,5,6,9,10</NodeSet>
+		<Surface name="side">
+			<quad4 id="1">2,3,7,6</quad4>
+			<quad4 id="2">6,7,11,10</quad4>
+		</Surface>
+		<Surface name="plane"><quad4 id="1">21,22,23,24</quad4></Surface>
+		<SurfacePair name="keeps">
+			<primary>side</primary>
+			<secondary>plane</secondary>
+		</SurfacePair>
+		<Surface name="top">)"},
+      {"</MeshDomains>",
+       R"(	<ShellDomain name="wall" mat="wall"/>
+	</MeshDomains>)"},
+      {R"(<bc name="sides" node_set="all" type="zero displacement">
+			<x_dof>1</x_dof>
+			<y_dof>1</y_dof>
+			<z_dof>0</z_dof>
+		</bc>)",
+       R"(<bc name="front" node_set="front" type="zero displacement">
+			<y_dof>1</y_dof>
+		</bc>
+		<bc name="edge" node_set="edge" type="zero displacement">
+			<x_dof>1</x_dof><y_dof>1</y_dof>
+		</bc>)"},
+      {"<Loads>",
+       R"(<Rigid>
+		<rigid_bc name="held" type="rigid_fixed"><rb>wall</rb>
+			<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof>
+			<Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof>
+		</rigid_bc>
+	</Rigid>
+	<Contact>
+		<contact name="keeps" surface_pair="keeps" type="sliding-elastic">
+			<penalty>10</penalty>
+			<tension>1</tension>
+		</contact>
+	</Contact>
+	<Loads>)"},
+      {"<plotfile",
+       R"(<logfile>
+			<node_data data="ux;Rz" file="n.txt" node_set="front">3</node_data>
+			<element_data data="sx;p" delim=",">1:2</element_data>
+		</logfile>
+		<plotfile)"}};
+   std::string text = FebColumn();
+   for (const auto &[old, other] : changes)
+   {
+      text = Replaced(text, old, other);
+   }
+   return text;
 }
 
 std::string Replaced(const std::string &text, const std::string &old,

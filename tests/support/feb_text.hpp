@@ -13,6 +13,11 @@ std::string FebColumn();
 /// pressed down by a force.
 std::string FebPressedColumn();
 
+/// The same column, fed by vessels, with a table to be logged. At a side it
+/// keeps to a plane by contact with a fixed rigid shell that bears tension, and
+/// an edge has a condition of its own.
+std::string FebGuidedColumn();
+
 /// The text with the first @a old replaced, which must be in it.
 std::string Replaced(const std::string &text, const std::string &old,
                      const std::string &other);

@@ -6,6 +6,7 @@
 // set up and written. Nothing crashes, hangs, or throws anything else.
 
 #include "support/boxes.hpp"
+#include "support/feb_text.hpp"
 #include "synovia/cases/case_file.hpp"
 #include "synovia/general/error.hpp"
 #include "synovia/mesh/stack_bodies.hpp"
@@ -224,6 +225,15 @@ std::vector<Shipped> ShippedCases()
                   {"sides_x", {3, 5}},
                   {"sides_y", {2, 4}}},
                  0.2, variant.empty() ? 0.75 : 1.0));
+      // Keys that no shipped case has.
+      cases.back().text =
+         Replaced(cases.back().text, "[[material]]\n",
+                  "[[material]]\nsupply = {model = \"starling\", kp = 0.1, "
+                  "pc = 0.2}\n") +
+         "[[output.log]]\nfile = \"log.txt\"\nof = \"nodes\"\n"
+         "data = [\"ux\", \"Rz\"]\nnumbers = [1, 2]\n"
+         "surfaces = [\"top\"]\nregions = [\"cartilage\"]\n"
+         "delimiter = \",\"\n";
       add("unconfined_compression" + variant, OneBox("cartilage",
                                                      {{"bottom", {1}},
                                                       {"top", {6}},

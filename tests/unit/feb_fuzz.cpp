@@ -183,18 +183,20 @@ Outcome Try(const std::string &text, const TemporaryDirectory &directory)
 
 TEST_CASE("Damaged models are refused or run")
 {
-   const std::string texts[2] = {FebColumn(), FebPressedColumn()};
+   const std::string texts[3] = {FebColumn(), FebPressedColumn(),
+                                 FebGuidedColumn()};
    const TemporaryDirectory directory(MPI_COMM_WORLD);
    REQUIRE(Try(texts[0], directory) == Outcome::taken);
    REQUIRE(Try(texts[1], directory) == Outcome::taken);
+   REQUIRE(Try(texts[2], directory) == Outcome::taken);
    int counts[3] = {0, 0, 0};
    double longest = 0.0;
    for (int i = 0; i < Mutations(); i++)
    {
       Mutator mutate(static_cast<unsigned>(i));
-      const std::string &text = texts[i % 2];
+      const std::string &text = texts[i % 3];
       std::string damaged = mutate(text);
-      if (i % 3 == 0)
+      if (i % 4 == 0)
       {
          damaged = mutate(damaged.empty() ? text : damaged + "\n");
       }

@@ -620,3 +620,97 @@ TEST_CASE("What is no model of FEBio is an error with a line")
    CHECK_THROWS_WITH(ImportFeb(deep, "a.feb"),
                      Catch::Contains("nested too deeply"));
 }
+
+TEST_CASE("Vessels of FEBio become a supply")
+{
+   const std::string permeability = "<permeability type=";
+   const std::string text =
+      Replaced(FebColumn(), permeability,
+               "<solvent_supply type=\"Starling\"><kp>0.02</kp><pv>0.3</pv>"
+               "</solvent_supply>" +
+                  permeability);
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.materials.size() == 1);
+   const FluidSupply supply = import.setup.materials[0].supply.Supply();
+   CHECK(supply.kp == 0.02);
+   CHECK(supply.pc == 0.3);
+   CHECK_THAT(
+      Stopped(permeability, "<solvent_supply type=\"other\"/>" + permeability),
+      Catch::Matchers::Contains("there is Starling"));
+}
+
+TEST_CASE("Tables of a log file become logs")
+{
+   const std::string plot = "<plotfile type=\"febio\">";
+   const auto with = [&](const std::string &tables)
+   {
+      return Replaced(FebColumn(), plot,
+                      "<logfile file=\"a.log\">" + tables + "</logfile>" +
+                         plot);
+   };
+   const FebImport import = ImportFeb(
+      with("<node_data data=\"ux;uz;Rz\" file=\"out/n.csv\" delim=\",\">"
+           "1:9:4,12</node_data>"
+           "<node_data data=\"p;vx\" node_set=\"bottom\"/>"
+           "<node_data data=\"p\" node_set=\"@surface:top\"/>"
+           "<element_data data=\"sx;J\" elem_set=\"body\" name=\"s\"/>"
+           "<element_data data=\"sed\">1</element_data>"
+           "<face_data data=\"contact gap\"/>"),
+      "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   const std::vector<LogDefinition> &logs = import.setup.output.logs;
+   REQUIRE(logs.size() == 4);
+   CHECK(logs[0].file == "n.csv");
+   CHECK(logs[0].of == LogSubject::nodes);
+   CHECK(logs[0].data == std::vector<std::string>{"ux", "uz", "Rz"});
+   CHECK(logs[0].numbers == std::vector<int>{1, 5, 9, 12});
+   CHECK(logs[0].delimiter == ",");
+   CHECK(logs[1].file == "node_data.txt");
+   CHECK(logs[1].data == std::vector<std::string>{"p"});
+   CHECK(logs[1].numbers == std::vector<int>{1, 2, 3, 4});
+   CHECK(logs[2].file == "2_node_data.txt");
+   CHECK(logs[2].numbers == std::vector<int>{9, 10, 11, 12});
+   CHECK(logs[3].of == LogSubject::elements);
+   CHECK(logs[3].numbers == std::vector<int>{1, 2});
+   CHECK_THAT(import.report.Text(Fate::approximated),
+              Catch::Matchers::Contains("the log leaves out \"vx\""));
+   for (const std::string tables :
+        {"<node_data data=\"x\">1:a</node_data>",
+         "<node_data data=\"x\">3:1</node_data>",
+         "<node_data data=\"x\" node_set=\"none\"/>",
+         "<element_data data=\"p\" elem_set=\"none\"/>",
+         "<rigid_body_data data=\"x\">7</rigid_body_data>"})
+   {
+      CAPTURE(tables);
+      CHECK(ImportFeb(with(tables), "model.feb").report.IsStopped());
+   }
+}
+
+TEST_CASE("Contact that bears tension along a plane is a guide")
+{
+   const FebImport import = ImportFeb(FebGuidedColumn(), "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CHECK(import.setup.contacts.empty());
+   CHECK(import.setup.rigid_bodies.empty());
+   REQUIRE(import.setup.boundaries.size() == 5);
+   const BoundaryCase &guided = import.setup.boundaries.back();
+   CHECK(guided.surfaces == std::vector<std::string>{"side"});
+   REQUIRE(guided.guide.has_value());
+   CHECK(std::abs((*guided.guide)[0]) == Approx(1.0));
+   CHECK_THAT(import.report.Text(Fate::ignored),
+              Catch::Matchers::Contains("hold its nodes likewise"));
+
+   const auto stops = [](const std::string &old, const std::string &other)
+   {
+      return ImportFeb(Replaced(FebGuidedColumn(), old, other), "model.feb")
+         .report.Text(Fate::unsupported);
+   };
+   CHECK_THAT(stops("<Rx_dof>1</Rx_dof>", ""),
+              Catch::Matchers::Contains("only where the rigid body is fixed"));
+   CHECK_THAT(stops("<node id=\"23\">1,", "<node id=\"23\">1.5,"),
+              Catch::Matchers::Contains("only along a plane"));
+   // Nothing else holds the edge along z.
+   CHECK_THAT(stops("<x_dof>1</x_dof><y_dof>1</y_dof>", "<z_dof>1</z_dof>"),
+              Catch::Matchers::Contains("conditions go with surfaces"));
+}

@@ -1,8 +1,9 @@
 // ranks: 1 2 3
 //
-// The tangent of bodies in finite deformation, with springs, follower loads and
-// stabilization, against central differences of the residual itself, for all
-// shapes and orders of elements and both a symmetric and an unsymmetric law.
+// The tangent of bodies in finite deformation, with springs, follower loads,
+// vessels and stabilization, against central differences of the residual
+// itself, for all shapes and orders of elements and both a symmetric and an
+// unsymmetric law.
 
 #include "support/boxes.hpp"
 #include "synovia/fem/boundary_conditions.hpp"
@@ -53,8 +54,9 @@ public:
    {
       if (stiffening)
       {
-         materials.Set(mesh.Region("body"),
-                       {&holmes_mow, &closing, 0.2, mean_dilatation});
+         materials.Set(
+            mesh.Region("body"),
+            {&holmes_mow, &closing, 0.2, mean_dilatation, 0.0, 0.0, vessels});
       }
       else
       {
@@ -155,6 +157,7 @@ private:
    const NeoHookean neo_hookean{0.5, 0.3};
    const ConstantPermeability constant{0.4};
    const HolmesMow holmes_mow{0.5, 0.1, 0.5};
+   const FluidSupply vessels{0.7, 0.4};
    const HolmesMowPermeability closing{0.4, 2.0, 2.0, 0.2};
    NamedMesh mesh;
    BiphasicSpaces spaces;

@@ -34,7 +34,8 @@ const std::set<std::string> results{"checkpoint/checkpoint_00000010.h5",
                                     "history.csv",
                                     "history.h5",
                                     "lines/axis_t1e+02.csv",
-                                    "lines/top_t0_t250.csv"};
+                                    "lines/top_t0_t250.csv",
+                                    "logs/nodes.txt"};
 const std::set<std::string> about{"case.toml", "report.html", "run.log"};
 const std::set<std::string> foreign{"fields/bodies/Cycle000020/notes.txt",
                                     "fields/view.pvsm",
@@ -105,12 +106,14 @@ TEST_CASE("A directory with results of a run is refused, and they are listed")
 {
    const TemporaryDirectory directory;
    Fill(directory, Union(results, foreign));
-   CHECK(MessageOf(directory) ==
-         "the output directory '" + directory.Path() +
-            "' holds results of a run: history.csv, history.h5, checkpoint/ "
-            "(5 files), fields/ (4 files), lines/ (2 files); go on with that "
-            "run (--resume), replace it (--overwrite), or name another "
-            "directory (--output)");
+   CHECK(
+      MessageOf(directory) ==
+      "the output directory '" + directory.Path() +
+         "' holds results of a run: history.csv, history.h5, checkpoint/ "
+         "(5 files), fields/ (4 files), lines/ (2 files), logs/ (1 file); go "
+         "on "
+         "with that run (--resume), replace it (--overwrite), or name another "
+         "directory (--output)");
    CHECK(Files(directory) == Union(results, foreign));
 }
 
@@ -160,7 +163,7 @@ TEST_CASE("What comes after a checkpoint goes, and the rest stays")
             "checkpoint/step_press.h5", "fields/bodies/Cycle000010/data.pvtu",
             "fields/bodies/Cycle000010/proc000000.vtu",
             "fields/bodies/bodies.pvd", "history.csv", "history.h5",
-            "lines/axis_t1e+02.csv", "run.log"});
+            "lines/axis_t1e+02.csv", "logs/nodes.txt", "run.log"});
    CHECK(ReadText(directory / "fields/bodies/bodies.pvd") ==
          begin + entry("000010") + end);
    CHECK(run.HasCheckpoint(directory / "checkpoint/checkpoint_00000010.h5"));

@@ -26,6 +26,8 @@ struct Setup
    SearchConfiguration configuration = SearchConfiguration::reference;
    /// At the upper body's back, along the force (force / length); 0 for none.
    real_t spring = 0.0;
+   /// Its coefficient, in finite deformation; 0 for the linear problem.
+   real_t friction = 0.0;
 };
 
 /// What a run came to.
@@ -38,9 +40,27 @@ struct Outcome
    real_t peak_pressure = 0.0;
 };
 
-/// A layer, 0.5 high, and on top of it a box that is rounded underneath.
-Mesh MakeBodies(real_t gap)
+/// Two boxes of the same section.
+Mesh MakeFlatBodies(real_t gap)
 {
+   BoxOptions box;
+   box.nz = 2;
+   Mesh mesh = MakeStackMesh(box, box);
+   for (int i = mesh.GetNV() / 2; i < mesh.GetNV(); i++)
+   {
+      mesh.GetVertex(i)[2] += gap;
+   }
+   return mesh;
+}
+
+/// A layer, 0.5 high, and on top of it a box that is rounded underneath.
+Mesh MakeBodies(const Setup &setup)
+{
+   if (setup.friction > 0.0)
+   {
+      return MakeFlatBodies(setup.gap);
+   }
+
    BoxOptions layer;
    layer.nx = layer.ny = 4;
    layer.nz = 1;
@@ -60,21 +80,40 @@ Mesh MakeBodies(real_t gap)
       }
       x[0] += 0.45;
       x[1] += 0.55;
-      x[2] += gap;
+      x[2] += setup.gap;
    }
    return mesh;
 }
 
 Outcome Run(const Setup &setup, MPI_Comm comm = MPI_COMM_WORLD)
 {
-   Mesh mesh = MakeBodies(setup.gap);
+   Mesh mesh = MakeBodies(setup);
    NamedMesh bodies = DistributeStack(mesh, comm);
    const IsotropicElastic soft(0.5, 0.1);
    const IsotropicElastic stiff(50.0, 0.2);
+   const NeoHookean deforming_soft(0.5, 0.1);
+   const NeoHookean deforming_stiff(50.0, 0.2);
    const ConstantPermeability permeability(4e-3);
-   BiphasicProblem problem(bodies, SpaceOptions());
-   problem.SetMaterial("lower", soft, permeability);
-   problem.SetMaterial("upper", stiff, permeability);
+   const bool rough = setup.friction > 0.0;
+   SpaceOptions space;
+   space.deformation = rough ? Deformation::finite : Deformation::infinitesimal;
+   BiphasicProblem problem(bodies, space);
+   const auto solid = [rough](const SolidLaw &linear,
+                              const SolidLaw &deforming) -> const SolidLaw &
+   { return rough ? deforming : linear; };
+   problem.SetMaterial("lower", solid(soft, deforming_soft), permeability);
+   problem.SetMaterial("upper", solid(stiff, deforming_stiff), permeability);
+   if (rough)
+   {
+      for (const std::string body : {"lower_", "upper_"})
+      {
+         for (const std::string end : {"0", "1"})
+         {
+            problem.PrescribeDisplacement(body + "x" + end, 0, 0.0);
+            problem.PrescribeDisplacement(body + "y" + end, 1, 0.0);
+         }
+      }
+   }
    problem.FixDisplacement("lower_z0");
    problem.PrescribeDisplacement("upper_z1", 0, 0.0);
    problem.PrescribeDisplacement("upper_z1", 1, 0.0);
@@ -86,7 +125,9 @@ Outcome Run(const Setup &setup, MPI_Comm comm = MPI_COMM_WORLD)
       problem.AddSprings({"upper_z1"}, setup.spring, Vector({0.0, 0.0, 1.0}));
    }
    ContactOptions contact;
-   contact.configuration = setup.configuration;
+   contact.configuration =
+      rough ? SearchConfiguration::current : setup.configuration;
+   contact.friction.coefficient = setup.friction;
    problem.AddContact("upper_z0", "lower_z1", contact, "pair");
    NonlinearOptions nonlinear;
    nonlinear.linear.relative_tolerance = 1e-10;
@@ -144,6 +185,26 @@ TEST_CASE("Gaps are closed and overlaps pressed out before the first step")
             Approx(touching.peak_traction).epsilon(tolerance));
       CHECK(there.peak_pressure ==
             Approx(touching.peak_pressure).epsilon(tolerance));
+   }
+}
+
+TEST_CASE("A rough body starts there, and has not slid on the way")
+{
+   // It is flat: as large as what it presses on, it only goes down.
+   Setup setup;
+   setup.friction = 0.2;
+   const Outcome touching = Run(setup);
+   CHECK(touching.contact_force == Approx(force).epsilon(1e-8));
+   for (const real_t gap : {-0.04, 0.05})
+   {
+      setup.gap = gap;
+      const Outcome there = Run(setup);
+      CAPTURE(gap, touching.travel, there.travel);
+      REQUIRE(there.moves.size() == 1);
+      CHECK(there.contact_force == Approx(force).epsilon(1e-8));
+      CHECK(there.travel - gap == Approx(touching.travel).epsilon(1e-6));
+      CHECK(there.peak_traction ==
+            Approx(touching.peak_traction).epsilon(1e-6));
    }
 }
 

@@ -61,6 +61,7 @@ CHECKS: dict[str, Callable[[Any], bool]] = {
     "name or list of names":
         lambda value: is_name(value) or is_list(value, is_name),
     "list of numbers": lambda value: is_list(value, is_number),
+    "list of integers": lambda value: is_list(value, is_integer),
     "list of strings": lambda value: is_list(value, is_string),
     "list of 3 numbers": lambda value: is_list(value, is_number, 3),
     "list of 3 curves": lambda value: is_list(value, is_curve, 3),
