@@ -25,6 +25,7 @@ void SurfaceConditions::Add(const BoundaryCase &boundary,
    conditions.springs = conditions.springs || boundary.spring.stiffness > 0.0;
    conditions.force = conditions.force || boundary.force.curve;
    conditions.pressure = conditions.pressure || boundary.pressure;
+   conditions.sealed = conditions.sealed || boundary.sealed;
    conditions.flux =
       conditions.flux || boundary.normal_flux || boundary.mixture_flux;
 }
@@ -92,7 +93,7 @@ std::string SurfaceConditions::Text(int attribute) const
    add(solid.empty(), "traction-free");
    add(c.pressure, "pressure");
    add(c.flux, "flux");
-   add(!c.pressure && !c.flux && !c.contact, "sealed");
+   add(c.sealed || (!c.pressure && !c.flux && !c.contact), "sealed");
    return solid;
 }
 

@@ -36,6 +36,7 @@ private:
       bool force = false;
       bool contact = false;
       bool pressure = false;
+      bool sealed = false;
       bool flux = false;
    };
    void Add(const BoundaryCase &boundary, Conditions &conditions) const;

@@ -31,7 +31,7 @@ StageEquations::StageEquations(BiphasicSpaces &spaces,
      ligaments(ties, conditions.Ligaments()), joints(ties, conditions.Joints()),
      rigid(spaces, conditions.DrivenSurfaces(),
            United(conditions.DisplacementDofs(), ties.Dofs())),
-     tie_tangent(ties, ligaments, joints), drainage(spaces, pairs),
+     tie_tangent(ties, ligaments, joints), drainage(spaces, pairs, conditions.Sealed()),
      contact(pairs.size()),
      jacobian(std::make_unique<BiphasicJacobian>(
         bodies->Tangent(), spaces.Offsets(), conditions.DisplacementDofs(),
