@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import mesh_script
+import meniscus_tip
 import meniscus_wedge
 import surface_gap
 from cartilage_layer import Layer
@@ -22,7 +23,7 @@ from cartilage_outline import FemoralOutline, femoral_plane, star_plane
 from circle_fit import circle
 from gmsh_bodies import Body
 from hexahedral_sweep import quads_of, sweep
-from meniscus_wedge import Cover, Fitted, Meniscus
+from meniscus_wedge import Cover, Fitted, InnerFace, Meniscus
 from quad_plane import QuadMesh
 
 FEMUR = "femoral_cartilage"
@@ -80,7 +81,9 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
                         choices=meniscus_wedge.INNER_FACES,
                         help="of the menisci: upright, or normal to both of "
                              "their surfaces, with smaller elements beside it, "
-                             "for finite deformation (default %(default)s)")
+                             "or such a one with a rounded edge in front of "
+                             "it, for finite deformation (default "
+                             "%(default)s)")
     mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
 
@@ -131,7 +134,7 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
         columns = meniscus_wedge.columns(
             fitted, mesh, face,
             order * max(3, round(MENISCAL_LAYERS / size)))
-        bodies[name] = settle(columns, mesh, name,
+        bodies[name] = settle(columns, mesh, name, face,
                               quads_of(bodies[TIBIA[side]],
                                        f"{TIBIA[side]}_contact"),
                               quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
@@ -139,11 +142,15 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     return Knee({name: bodies[name] for name in REGIONS}, lift, frames)
 
 
-def settle(columns: np.ndarray, mesh: QuadMesh, name: str, tibia: np.ndarray,
-           femur: np.ndarray) -> Body:
+def settle(columns: np.ndarray, mesh: QuadMesh, name: str,
+           face: InnerFace, tibia: np.ndarray, femur: np.ndarray) -> Body:
     """The meniscus, its two sides moved along z until they touch."""
     def body() -> Body:
-        return sweep(mesh, columns, "inferior", "superior", name)
+        wedge = sweep(mesh, columns, "inferior", "superior", name)
+        if not face.rounded:
+            return wedge
+        return meniscus_tip.add_tip(
+            wedge, meniscus_wedge.rows(mesh, columns), mesh.order, name)
 
     share = np.linspace(0, 1, columns.shape[1])
     below = surface_gap.vertical_gaps(

@@ -37,13 +37,16 @@ class InnerFace:
     one is free and the other slides along its neighbor, and leans over the more
     the wedge is pressed flat, until it lies on the tibia.
     first: width of the elements there over that of all on average.
+    rounded: whether a rounded edge goes on from there, see meniscus_tip.
     """
 
     lean: float
     first: float
+    rounded: bool = False
 
 
-INNER_FACES = {"upright": InnerFace(0.0, 1.0), "normal": InnerFace(1.0, 0.5)}
+INNER_FACES = {"upright": InnerFace(0.0, 1.0), "normal": InnerFace(1.0, 0.5),
+               "round": InnerFace(1.0, 0.7, True)}
 
 
 @dataclass
@@ -266,6 +269,15 @@ def columns(fitted: Fitted, mesh: QuadMesh, face: InnerFace, layers: int
     return np.stack([np.column_stack([places(share),
                                       low + share * (high - low)])
                      for share in np.linspace(0, 1, layers + 1)], axis=1)
+
+
+def rows(mesh: QuadMesh, columns: np.ndarray) -> np.ndarray:
+    """Nodes of a sweep of the columns over a plane(): along the inner edge,
+    away from it, and up.
+    """
+    n, levels = columns.shape[:2]
+    along = len(np.unique(mesh.edges["inner"]))
+    return np.arange(n).reshape(along, -1)[:, :, None] + n * np.arange(levels)
 
 
 def _nearness(mesh: QuadMesh) -> np.ndarray:

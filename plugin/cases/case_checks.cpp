@@ -107,6 +107,7 @@ void EnterConditions(const BoundaryCase &boundary, const std::string &surface,
       enter(boundary.force.Drives(d), "force", along);
    }
    enter(boundary.pressure.has_value(), "pressure", "pressure or flux");
+   enter(boundary.sealed, "sealed", "pressure or flux");
    enter(boundary.normal_flux.has_value(), "normal_flux", "pressure or flux");
    enter(boundary.mixture_flux.has_value(), "mixture_flux", "pressure or flux");
    enter(boundary.normal_traction.has_value(), "normal_traction",
@@ -129,6 +130,7 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
                                           "traction",
                                           "normal_traction",
                                           "effective_traction",
+                                          "sealed",
                                           "normal_flux",
                                           "mixture_flux",
                                           "spring",
@@ -142,7 +144,8 @@ void CheckBoundary(const BoundaryCase &boundary, const std::string &path,
    reading.Require(
       moved || boundary.pressure || boundary.traction ||
          boundary.normal_traction || boundary.effective_traction ||
-         boundary.normal_flux || boundary.mixture_flux || written,
+         boundary.sealed || boundary.normal_flux || boundary.mixture_flux ||
+         written,
       path, "nothing is prescribed here; give one of " + JoinedNames(keys));
    reading.Require(!boundary.relative || u[0] || u[1] || u[2],
                    path + ".relative", "no displacement is prescribed here");

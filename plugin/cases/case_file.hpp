@@ -184,6 +184,9 @@ struct BoundaryCase
    /// Traction along the outward normal of the solid alone, to which the
    /// fluid's pressure adds (stress).
    std::optional<LoadCurve> effective_traction;
+   /// Whether no fluid passes even if it is a contact surface that nothing
+   /// touches.
+   bool sealed = false;
    /// Outward relative flux (length / time).
    std::optional<LoadCurve> normal_flux;
    /// Outward flux of fluid and solid together (length / time).

@@ -434,6 +434,10 @@ void CaseProblem::SetBoundary(const BoundaryCase &boundary)
       {
          problem.AddEffectiveTraction(surface, *boundary.effective_traction);
       }
+      if (boundary.sealed)
+      {
+         problem.Seal(surface);
+      }
       if (boundary.mixture_flux)
       {
          problem.AddMixtureFlux(surface, *boundary.mixture_flux);

@@ -45,6 +45,9 @@ void AddBoundaryKeys(BoundaryCase &boundary, KeyTable &keys)
               "traction of the solid alone along the outward normal, to which "
               "the fluid's pressure adds: the total one is less by the "
               "pressure; finite deformation");
+   keys.Value("sealed", boundary.sealed, "",
+              "whether no fluid passes where nothing touches, of surfaces of "
+              "contact pairs, which drain there otherwise");
    keys.Value("normal_flux", boundary.normal_flux, "length/time",
               "outward relative flux of the fluid; in finite deformation per "
               "deformed area");

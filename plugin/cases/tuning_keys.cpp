@@ -75,6 +75,9 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "residual_floor", newton.residual_floor,
        NumberRange::From(1.0, 1e6),
        "residual up to which it may always grow, in tolerances");
+   Add(keys, "small_residual", newton.small_residual,
+       NumberRange::From(0.0, 1.0),
+       "the same, as a part of the solve's largest residual");
    Add(keys, "max_searches", newton.max_searches, NumberRange::From(0, 1000),
        "most new searches of contact in one solve");
    return keys;

@@ -26,6 +26,7 @@ void SurfaceConditions::Add(const BoundaryCase &boundary,
       conditions.springs || boundary.spring.stiffness > 0.0 || boundary.guide;
    conditions.force = conditions.force || boundary.force.curve;
    conditions.pressure = conditions.pressure || boundary.pressure;
+   conditions.sealed = conditions.sealed || boundary.sealed;
    conditions.flux =
       conditions.flux || boundary.normal_flux || boundary.mixture_flux;
 }
@@ -99,7 +100,7 @@ std::string SurfaceConditions::Text(int attribute) const
    add(solid.empty(), "traction-free");
    add(c.pressure, "pressure");
    add(c.flux, "flux");
-   add(!c.pressure && !c.flux && !c.contact && !c.tied, "sealed");
+   add(c.sealed || (!c.pressure && !c.flux && !c.contact && !c.tied), "sealed");
    return solid;
 }
 

@@ -37,6 +37,7 @@ private:
       bool contact = false;
       bool tied = false;
       bool pressure = false;
+      bool sealed = false;
       bool flux = false;
    };
    void Add(const BoundaryCase &boundary, Conditions &conditions) const;

@@ -223,6 +223,11 @@ void BoundaryConditions::AddLigament(const Ligament &ligament)
    ligaments.push_back(ligament);
 }
 
+void BoundaryConditions::Seal(const Array<int> &boundary)
+{
+   sealed.Append(boundary);
+}
+
 void BoundaryConditions::AddNormalFlux(const Array<int> &boundary,
                                        const LoadCurve &value)
 {

@@ -92,6 +92,9 @@ public:
    /// Likewise.
    void AddJoint(const Joint &joint);
 
+   /// Lets no fluid pass where it would drain as a surface of a contact pair.
+   void Seal(const mfem::Array<int> &boundary);
+
    /// Outward relative flux -kappa grad p . n (length / time). A curve follows
    /// finite deformation; a coefficient is per undeformed area.
    void AddNormalFlux(const mfem::Array<int> &boundary, const LoadCurve &value);
@@ -133,6 +136,9 @@ public:
 
    /// No part of GetLoads(), as they depend on the displacement.
    const FollowerLoads &Followers() const { return followers; }
+
+   /// Attributes of sealed boundaries.
+   const mfem::Array<int> &Sealed() const { return sealed; }
 
    const std::vector<SpringFoundation> &Springs() const { return springs; }
 
@@ -198,6 +204,7 @@ private:
    mfem::Array<int> u_dofs;
    mfem::Array<int> p_dofs;
    mfem::Array<int> dry_dofs;
+   mfem::Array<int> sealed;
    std::vector<CurveValue> u_values;
    std::vector<Increment> increments;
    std::vector<CurveValue> p_values;

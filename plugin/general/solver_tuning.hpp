@@ -79,6 +79,11 @@ struct NewtonTuning
    mfem::real_t residual_growth = 2.0;
    /// Residuals below this many tolerances may always grow up to it.
    mfem::real_t residual_floor = 10.0;
+   /// So may residuals below this part of the largest one of the solve: points
+   /// that come into touch or leave it at last cost more than is left of the
+   /// rest. Larger: fewer steps of time are cut for that, but what diverges
+   /// near the end takes more iterations.
+   mfem::real_t small_residual = 1e-4;
    /// How often contact is searched anew in one solve because points have moved
    /// on to other faces.
    int max_searches = 3;

@@ -197,6 +197,13 @@ void BiphasicProblem::AddNormalFlux(const std::string &boundary,
    conditions->AddNormalFlux(mesh.Boundary(boundary), value);
 }
 
+void BiphasicProblem::Seal(const std::string &boundary)
+{
+   VerifyOpen();
+   NeedFluid(boundary);
+   conditions->Seal(mesh.Boundary(boundary));
+}
+
 void BiphasicProblem::AddMixtureFlux(const std::string &boundary,
                                      const LoadCurve &value)
 {

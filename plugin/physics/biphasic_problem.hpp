@@ -111,8 +111,12 @@ public:
    /// deformation.
    void AddNormalFlux(const std::string &boundary, const LoadCurve &value);
 
+   /// Lets no fluid pass through a boundary of a contact pair where nothing
+   /// touches it.
+   void Seal(const std::string &boundary);
+
    /// Lets two boundaries touch. Boundaries of contact pairs drain freely where
-   /// no pair seals them.
+   /// no pair seals them, unless they are sealed by Seal().
    void AddContact(const std::string &source, const std::string &destination,
                    const ContactOptions &options = ContactOptions(),
                    const std::string &name = "");

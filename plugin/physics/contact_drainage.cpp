@@ -1,4 +1,5 @@
 #include "synovia/physics/contact_drainage.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 
 namespace synovia
 {
@@ -6,16 +7,22 @@ namespace synovia
 using namespace mfem;
 
 ContactDrainage::ContactDrainage(BiphasicSpaces &spaces_,
-                                 const std::vector<ContactPair *> &pairs_)
+                                 const std::vector<ContactPair *> &pairs_,
+                                 const Array<int> &sealed)
    : spaces(spaces_), pairs(pairs_)
 {
+   Array<int> draining;
    for (const ContactPair *pair : pairs)
    {
-      dofs.Append(pair->Geometry().Source().PressureTrueDofs());
-      dofs.Append(pair->Geometry().Destination().PressureTrueDofs());
+      draining.Append(pair->Geometry().Source().Boundary());
+      draining.Append(pair->Geometry().Destination().Boundary());
    }
-   dofs.Sort();
-   dofs.Unique();
+   Array<int> marker = BoundaryMarker(spaces.GetMesh(), draining);
+   for (const int attribute : sealed)
+   {
+      marker[attribute - 1] = 0;
+   }
+   spaces.Pressure().GetEssentialTrueDofs(marker, dofs);
    if (&spaces.Multiplier() != &spaces.Pressure())
    {
       vertex_interpolation = std::make_unique<ParDiscreteLinearOperator>(

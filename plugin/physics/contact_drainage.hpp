@@ -13,9 +13,11 @@ namespace synovia
 class ContactDrainage
 {
 public:
-   /// Borrows both. Collective.
+   /// Borrows spaces and pairs; @a sealed are attributes of boundaries that
+   /// don't drain, but for their edges with others. Collective.
    ContactDrainage(BiphasicSpaces &spaces,
-                   const std::vector<ContactPair *> &pairs);
+                   const std::vector<ContactPair *> &pairs,
+                   const mfem::Array<int> &sealed);
 
    /// True dofs of the pressure that the pairs' active sets leave open,
    /// ascending. Collective.
@@ -24,7 +26,7 @@ public:
 private:
    BiphasicSpaces &spaces;
    const std::vector<ContactPair *> &pairs;
-   /// Of the pairs' surfaces.
+   /// Of the pairs' surfaces that drain where nothing touches.
    mfem::Array<int> dofs;
    /// From vertices to pressure dofs, where these are not the vertices; the
    /// matrix refers to the operator.

@@ -19,6 +19,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    int searches = 0;
    set_changed = false;
    has_stepped = false;
+   largest_residual = 0.0;
    bool evaluated = false;
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
@@ -152,6 +153,10 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
    const real_t limit = from_start || contact.SlidingChanged()
                            ? std::numeric_limits<real_t>::infinity()
                            : Assess(stage, ContactStiffness::bodies, tolerance);
+   if (std::isfinite(limit))
+   {
+      largest_residual = std::max(largest_residual, limit);
+   }
    stage.from_start = false;
    Add(1.0, stage, multipliers, tied);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
@@ -199,7 +204,8 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
    constexpr real_t sliding = 10.0;
    const real_t growth =
       tuning.residual_growth * (contact.HasFriction() ? sliding : 1.0);
-   if (now <= std::max(tuning.residual_floor, growth * norm))
+   if (now <= std::max({tuning.residual_floor, growth * norm,
+                        tuning.small_residual * largest_residual}))
    {
       return "";
    }

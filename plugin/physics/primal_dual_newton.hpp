@@ -61,6 +61,8 @@ private:
    mfem::BlockVector step{spaces.Offsets()};
    /// Whether any step was taken in this solve.
    bool has_stepped = false;
+   /// Of the line search in this solve, in tolerances.
+   mfem::real_t largest_residual = 0.0;
    /// Whether the last decision changed the active set.
    bool set_changed = false;
    /// Whether the last step was taken as a whole.

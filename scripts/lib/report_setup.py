@@ -99,6 +99,8 @@ def condition_rows(case: dict, units: Units) -> list[tuple[str, str, str]]:
                 ("normal_flux", "normal flux", "velocity")):
             if key in boundary:
                 add(what, kind, curve(boundary[key]))
+        if boundary.get("sealed"):
+            rows.append((where, "fluid", "passes nowhere"))
         spring = boundary.get("spring", {})
         if spring.get("stiffness"):
             add("springs", "stiffness", number(spring["stiffness"])

@@ -35,6 +35,9 @@ pressure = {times = [0, 2.5], values = [0, 1e-3]}
 surfaces = ["side"]
 traction = [0, {times = [1, 2], values = [3, 4]}, 5]
 normal_flux = -2
+[[boundary]]
+surfaces = ["lower_rim"]
+sealed = true
 [[contact]]
 source = ["upper_face"]
 destination = ["lower_face", "lower_rim"]
@@ -107,7 +110,7 @@ TEST_CASE("A case file fills the structs", "[case]")
    CHECK(setup.materials[0].solid.parameters.at("nu") == 0.1);
    CHECK(setup.materials[0].permeability.parameters.at("value") == 4e-3);
    CHECK(setup.materials[0].solid_fraction == 0.2);
-   REQUIRE(setup.boundaries.size() == 3);
+   REQUIRE(setup.boundaries.size() == 4);
    const BoundaryCase &top = setup.boundaries[1];
    CHECK(top.surfaces == std::vector<std::string>{"top"});
    CHECK_FALSE(top.displacement[0]);
@@ -119,6 +122,8 @@ TEST_CASE("A case file fills the structs", "[case]")
    CHECK((*side.traction)[1](1.5) == 3.5);
    CHECK((*side.traction)[2](7.0) == 5.0);
    CHECK((*side.normal_flux)(0.0) == -2.0);
+   CHECK_FALSE(side.sealed);
+   CHECK(setup.boundaries[3].sealed);
    REQUIRE(setup.contacts.size() == 1);
    const ContactCase &contact = setup.contacts[0];
    CHECK(contact.Name() == "upper_face-lower_face");
@@ -334,6 +339,9 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       {"surfaces = [\"side\"]",
        "surfaces = [\"upper_face\"]",
        {"boundary.2.normal_flux", "contact pair's"}},
+      {"normal_flux = -2",
+       "normal_flux = -2\nsealed = true",
+       {"pressure or flux on \"side\" is prescribed already"}},
       {"[\"lower_face\", \"lower_rim\"]",
        "[\"lower_face\", \"upper_face\"]",
        {"contact.0.destination", "can't touch itself"}},

@@ -91,7 +91,13 @@ class Knees(unittest.TestCase):
             "parametric": generate(knee_parametric.main, "parametric.msh",
                                    "--size", "2.2", "--geometry-order", "2"),
             "image": generate(knee_from_segmentation.main, "image.msh", image,
-                              "--size", "2", "--inner-face", "normal")}
+                              "--size", "2", "--inner-face", "normal"),
+            "round": generate(knee_from_segmentation.main, "round.msh", image,
+                              "--size", "2", "--inner-edge", "1",
+                              "--inner-face", "round"),
+            "curved": generate(knee_parametric.main, "curved.msh",
+                               "--size", "2.2", "--geometry-order", "2",
+                               "--inner-face", "round")}
 
     def test_hexahedra_are_good_and_outer_faces_have_one_name(self):
         for name, (mesh, _) in self.knees.items():
@@ -137,6 +143,22 @@ class Knees(unittest.TestCase):
                     self.assertGreater(len(angles), 20)
                     self.assertGreater(angles.min(), 80.0)
                     self.assertLess(angles.max(), 102.0)
+
+    def test_rounded_edges_go_on_from_both_surfaces(self):
+        for name in ("round", "curved"):
+            mesh, _ = self.knees[name]
+            for meniscus in NAMES[1]:
+                inner = mesh.surfaces[f"{meniscus}_inner"][:, :4]
+                turns = surface_gap.normal_turns(mesh.x[inner])
+                for side in ("inferior", "superior"):
+                    with self.subTest(f"{name}, {meniscus}, {side}"):
+                        angles = angles_between(
+                            mesh.x, inner,
+                            mesh.surfaces[f"{meniscus}_{side}"][:, :4])
+                        self.assertGreater(len(angles), 15)
+                        self.assertGreater(angles.min(), 135.0)
+                self.assertGreater(turns.max(), 30.0)
+                self.assertLess(turns.max(), 70.0)
 
     def test_no_body_is_inside_another(self):
         for name, (mesh, _) in self.knees.items():

@@ -1,7 +1,8 @@
 // ranks: 1 2 3
 //
 // Contact with a body that has no fluid: where they touch, the biphasic side is
-// sealed, or drains freely if the pair says so.
+// sealed, or drains freely if the pair says so. Where they don't touch, it
+// drains freely unless its surface is sealed.
 //
 // A confined biphasic column of height h, modulus H and kappa, whose base
 // drains, is pressed at once by -P through an elastic block. It consolidates
@@ -54,7 +55,7 @@ struct Series
 
 struct Columns
 {
-   explicit Columns(bool finite)
+   explicit Columns(bool finite, const char *loaded = "upper_z1")
       : mesh(Make()), problem(mesh, Space(finite)),
         elastic(finite ? static_cast<const SolidLaw *>(&finite_block)
                        : &linear_block),
@@ -76,7 +77,7 @@ struct Columns
          }
       }
       problem.PrescribePressure("lower_z0", 0.0);
-      problem.AddNormalTraction("upper_z1", -load);
+      problem.AddNormalTraction(loaded, -load);
    }
 
    static NamedMesh Make()
@@ -168,6 +169,48 @@ TEST_CASE("A column under an elastic block drains as its pair says")
             Approx(drains ? 0.0 : series.pressure).margin(3e-3));
       CHECK(pair.peak_pressure ==
             Approx(drains ? 0.0 : load * series.pressure).margin(3e-3 * load));
+   }
+}
+
+TEST_CASE("A surface that nothing touches drains unless it is sealed")
+{
+   const bool finite = GENERATE(false, true);
+   const bool sealed = GENERATE(false, true);
+   CAPTURE(finite, sealed);
+   Columns columns(finite, "lower_z1");
+   columns.problem.FixDisplacement("upper_z1");
+   columns.problem.AddContact("upper_z0", "lower_z1");
+   if (sealed)
+   {
+      columns.problem.Seal("lower_z1");
+   }
+   const real_t path = sealed ? 1.0 : 0.5;
+   const real_t unit = path * path / (tissue * kappa);
+   TimeOptions times;
+   times.scheme = TimeScheme::sdirk33;
+   times.step = 0.02 * unit;
+   times.end = 20 * times.step;
+   times.cut_back = false;
+   TimeStepper stepper(columns.problem, times);
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      const real_t s = report.time / unit;
+      CAPTURE(s);
+      const ContactDiagnostics pair =
+         Diagnose(*columns.problem.Operator().Pairs().front());
+      CHECK(Length(pair.force) == 0.0);
+      if (s < 0.2)
+      {
+         continue;
+      }
+      const Series series(s);
+      CHECK(Largest(stepper.State().GetBlock(1)) ==
+            Approx(load * series.pressure).epsilon(3e-3));
+      CHECK(Largest(stepper.State().GetBlock(0)) ==
+            Approx(load * series.compression / tissue).epsilon(3e-3));
    }
 }
 
