@@ -8,6 +8,7 @@
 #include "support/boxes.hpp"
 #include "support/temporary_directory.hpp"
 #include "synovia/cases/case_problem.hpp"
+#include "synovia/cases/case_steps.hpp"
 #include "synovia/checks/case_warnings.hpp"
 #include "synovia/checks/tie_check.hpp"
 #include "synovia/general/error.hpp"
@@ -264,6 +265,19 @@ TEST_CASE("The history has force, moment and flow of each tie")
    CHECK(ValueIn(row, "tie.glue.fluid_exchange") < 0.0);
    CHECK(ValueIn(row, "tie.glue.fluid_exchange") >
          -ValueIn(row, "fluid.outflow"));
+}
+
+TEST_CASE("A tie holds in all steps and is never released")
+{
+   const std::string steps = Replaced(good, "end = 20\n", "") +
+                             "[[step]]\nname = \"press\"\nduration = 10\n"
+                             "[[step]]\nname = \"hold\"\nduration = 10\n";
+   const std::vector<CaseOfStep> cases =
+      CasesOfSteps(ParseCase(steps, "case.toml"));
+   REQUIRE(cases.size() == 2);
+   CheckGood(cases[1].setup);
+   CHECK_THAT(ErrorOfStack(steps + "release = \"glue\"\n"),
+              Contains("step.1.release.0") && Contains("called \"glue\""));
 }
 
 TEST_CASE("A run with a tie goes on from a checkpoint")
