@@ -40,6 +40,7 @@
 #include "synovia/materials/solids/mooney_rivlin.hpp"
 #include "synovia/materials/solids/neo_hookean.hpp"
 #include "synovia/materials/solids/porous_neo_hookean.hpp"
+#include "synovia/materials/solids/prlig.hpp"
 #include "synovia/materials/solids/saint_venant_kirchhoff.hpp"
 #include "synovia/materials/solids/solid_mixture.hpp"
 #include "synovia/materials/solids/transversely_isotropic.hpp"

@@ -21,6 +21,14 @@ const std::vector<LawWords> &SolidWords()
        "mooney_rivlin",
        {{"c1", "c1"}, {"c2", "c2"}, {"k", "k"}}},
       {"porous neo-Hookean", "porous_neo_hookean", {{"E", "E"}}},
+      {"PRLig",
+       "prlig",
+       {{"c1", "c1"},
+        {"c2", "c2"},
+        {"mu", "mu"},
+        {"v0", "v0"},
+        {"m", "m"},
+        {"k", "k"}}},
       {"fiber-exp-pow",
        "fiber_exp_pow",
        {{"alpha", "alpha"},
@@ -174,6 +182,13 @@ SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
    const LawDescription &law = *SolidLaws().Find(words->law);
    result.model = words->law;
    result.parameters = ReadParameters(solid, *words, law);
+   if (words->law == "prlig")
+   {
+      // Along the first of its own axes.
+      const Tensor3<> own = ReadAxes(solid);
+      result.vectors["direction"] =
+         InFrame(Rotated(axes, {own[0][0], own[1][0], own[2][0]}), frame);
+   }
    if (law.is_fiber)
    {
       result.vectors["direction"] =

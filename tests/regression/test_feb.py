@@ -147,6 +147,18 @@ def round_trip(directory: pathlib.Path) -> None:
               - direct[-1]["fluid.supply"]) < 1e-8
           and abs(direct[-1]["fluid.supply"]) > 1e-6,
           "what vessels let in is in the balance")
+    run_program(SYNOVIA, case, "--output", directory / "logged", *QUICK,
+                "--log", "nodes:uz;Rz;p", "--log", "nodes:x",
+                text="synovia trip.toml --log nodes:uz;Rz;p --log nodes:x")
+    rows = (directory / "logged" / "logs" / "log_nodes.txt").read_text()
+    check(rows.splitlines()[:3] == (directory / "direct" / "logs" / "nodes.txt")
+          .read_text().splitlines()[:3] and rows.count("*Step") == len(direct)
+          and (directory / "logged" / "logs" / "log_nodes_2.txt").is_file(),
+          "--log writes the tables that it names")
+    wrong = subprocess.run([SYNOVIA, case, "--log", "nodes:sx", "--check"],
+                           capture_output=True, text=True)
+    check(wrong.returncode == 1 and 'there is no "sx"' in wrong.stderr,
+          "what nodes don't have is refused")
     parallel = run(model, directory / "parallel", MPIEXEC, "-n", "2")
     worst = max(abs(a["reaction.bottom.z"] - b["reaction.bottom.z"])
                 for a, b in zip(direct, parallel))

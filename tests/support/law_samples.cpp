@@ -138,6 +138,24 @@ std::vector<LawSample> LawSamples()
         {"T", 310.0}},
        [](const Invariants &of)
        { return DonnanEnergy(of, 0.8, 150.0, 300.0, 0.9 * 8.314e-6 * 310.0); }},
+      {"prlig",
+       {{"c1", 3.0},
+        {"c2", 10.0},
+        {"mu", 0.4},
+        {"v0", 1.2},
+        {"m", -2.0},
+        {"k", 0.7}},
+       [](const Invariants &of)
+       {
+          const Complex stretch = std::sqrt(of.In);
+          const Complex excess = stretch - 1.0;
+          const Complex area = of.I2 - of.I1 * of.In + of.In2;
+          const Complex volume =
+             std::log(area) + 12.8 * std::log(stretch) - 8.0 * excess;
+          return 0.15 * (std::exp(10.0 * excess * excess) - 1.0) +
+                 0.4 * (0.5 * (of.I1 - 3.0) - std::log(of.J)) +
+                 0.35 * volume * volume;
+       }},
       {"fiber_exp_pow",
        {{"alpha", 1.0}, {"beta", 2.0}, {"ksi", 5.0}, {"mu", 0.2}},
        [](const Invariants &of)

@@ -714,3 +714,27 @@ TEST_CASE("Contact that bears tension along a plane is a guide")
    CHECK_THAT(stops("<x_dof>1</x_dof><y_dof>1</y_dof>", "<z_dof>1</z_dof>"),
               Catch::Matchers::Contains("conditions go with surfaces"));
 }
+
+TEST_CASE("A ligament of FEBio is along the first of its axes")
+{
+   std::string text =
+      Replaced(FebColumn(), "<solid type=\"neo-Hookean\">",
+               "<mat_axis type=\"vector\"><a>0,1,0</a><d>-1,0,0</d></mat_axis>"
+               "<solid type=\"PRLig\"><c1>90</c1><c2>160</c2><mu>0.025</mu>"
+               "<v0>5.85</v0><m>-100</m><k>1.55</k>"
+               "<mat_axis type=\"vector\"><a>0,0,1</a><d>1,0,0</d></mat_axis>");
+   text = Replaced(text, "<E>2</E>", "");
+   text = Replaced(text, "<v>0.1</v>", "");
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.materials.size() == 1);
+   const MaterialCase &material = import.setup.materials[0];
+   CHECK(material.solid.model == "prlig");
+   CHECK(material.solid.parameters.at("v0") == 5.85);
+   CHECK(material.solid.parameters.at("m") == -100.0);
+   // Theta of the frame is the first of the material's axes, and z stays.
+   const Point3 &direction = material.solid.vectors.at("direction");
+   CHECK(std::abs(direction[1]) < 1e-12);
+   CHECK(std::hypot(direction[0], direction[2]) == Approx(1.0));
+   CHECK(material.frame.axis[1] == Approx(1.0));
+}

@@ -75,9 +75,11 @@ TEST_CASE("Small strains have the moduli that a law names", "[laws]")
    {
       CAPTURE(sample.name);
       const SampledLaw law(sample);
-      if (law->AggregateModulus() == 0.0 || sample.name == "donnan")
+      if (law->AggregateModulus() == 0.0 || sample.name == "donnan" ||
+          sample.name == "prlig")
       {
-         continue; // fibers, and what is under pressure undeformed
+         // Fibers, what is under pressure undeformed, and what is anisotropic.
+         continue;
       }
       AnyPoint point;
       DenseMatrix stiffness;
@@ -186,4 +188,39 @@ TEST_CASE("Laws refuse what they can't be", "[laws]")
    CHECK_THROWS_WITH(FiberPowLinear(1.0, 1.0, 2.0, frame),
                      Catch::Contains("it must be above 1"));
    CHECK_THROWS_AS(FiberNh(std::nan(""), frame), Error);
+}
+
+TEST_CASE("Ligaments draw in by Poisson's ratio of their fibers", "[laws]")
+{
+   const real_t c1 = 3.0;
+   const real_t mu = 0.4;
+   const real_t v0 = 1.2;
+   const real_t k = 0.7;
+   const CartesianFrame frame(Point3{{0.0, 0.0, 1.0}});
+   const Prlig law({c1, 10.0, mu, v0, -2.0, k}, FiberDirection(frame));
+   AnyPoint point;
+   DenseMatrix stiffness;
+   law.GetStiffness(point.Get().trans, point.Get().ip, stiffness);
+   CHECK(stiffness(0, 0) == Approx(4.0 * k + 2.0 * mu));
+   CHECK(stiffness(0, 1) == Approx(4.0 * k));
+   CHECK(stiffness(0, 2) == Approx(8.0 * k * v0));
+   CHECK(stiffness(2, 2) == Approx(16.0 * k * v0 * v0 + 2.0 * mu + c1));
+   CHECK(stiffness(3, 3) == Approx(mu));
+   CHECK(stiffness(4, 4) == Approx(mu));
+   CHECK(law.AggregateModulus() == Approx(stiffness(0, 0)));
+   CHECK(law.ShearModulus() == mu);
+
+   // Areas that follow the stretch cost no volume: only the matrix and the
+   // fibers have stress.
+   const real_t m = -2.0;
+   const real_t stretch = 1.1;
+   const real_t narrow =
+      std::pow(stretch, m - v0) * std::exp(m * (1.0 - stretch));
+   const Tensor3<> F{
+      {{narrow, 0.0, 0.0}, {0.0, narrow, 0.0}, {0.0, 0.0, stretch}}};
+   const Tensor3<> P = StressOf(law, F);
+   CHECK(P[0][0] == Approx(mu * (narrow - 1.0 / narrow)));
+   CHECK(P[2][2] == Approx(mu * (stretch - 1.0 / stretch) +
+                           c1 * (stretch - 1.0) *
+                              std::exp(10.0 * std::pow(stretch - 1.0, 2))));
 }
