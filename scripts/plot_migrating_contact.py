@@ -70,7 +70,7 @@ class Run:
         strokes = np.split(np.arange(len(x)), turns)
         rows = [rows[np.argmin(np.abs(x[rows]))] for rows in strokes]
         return np.array([i for i in rows if abs(x[i]) < 0.2 * farthest
-                         and i > 0], dtype=int)
+                         and i > 0 and x[i] != x[i - 1]], dtype=int)
 
     def last_middle(self) -> int:
         if len(self.middles) == 0:
@@ -101,7 +101,7 @@ def friction(axes: plt.Axes, runs: list[Run]) -> None:
     mu, _ = runs[0].law
     axes.axhline(mu, label="without fluid pressure", **style.REFERENCE)
     axes.set(ylim=(0, 1.08 * mu), title="Effective friction")
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, 0.92))
+    axes.legend(loc="lower right")
 
 
 def correlation(axes: plt.Axes, runs: list[Run]) -> None:
@@ -186,7 +186,7 @@ def findings(runs: list[Run]) -> str:
         for which, i in (("first", int(run.middles[0])),
                          ("last", run.last_middle())):
             lines.append(
-                f"{run.name}, {which} stroke, {run.time[i]:g} s: the fluid "
+                f"{run.name}, {which} middle, {run.time[i]:g} s: the fluid "
                 f"bears {100 * run.support[i]:.1f} % of the load, friction "
                 f"coefficient {run.friction[i]:.4f}")
     return "\n".join(lines)

@@ -76,10 +76,10 @@ class PlotMigratingContact(unittest.TestCase):
                 "load_support", "friction", "correlation",
                 "pressure_migrating", "pressure_resting",
                 "migrating_contact")})
-        # At 150 s, in the middle of the last stroke.
-        self.assertIn("migrating, last stroke, 150 s: the fluid bears 88.3 %",
+        # At 150 s, in the middle of the last middle.
+        self.assertIn("migrating, last middle, 150 s: the fluid bears 88.3 %",
                       said)
-        self.assertIn("resting, last stroke, 150 s: the fluid bears 30.0 %",
+        self.assertIn("resting, last middle, 150 s: the fluid bears 30.0 %",
                       said)
 
     def test_other_may_be_elsewhere_or_missing(self):
@@ -91,7 +91,7 @@ class PlotMigratingContact(unittest.TestCase):
         write_output(elsewhere, 0.3)
         status, said, _ = self.run_script(self.out, elsewhere)
         self.assertEqual(status, 0)
-        self.assertIn("resting, last stroke", said)
+        self.assertIn("resting, last middle", said)
         status, _, complained = self.run_script(self.out,
                                                 self.folder / "nowhere")
         self.assertEqual(status, 1)
