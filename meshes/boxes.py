@@ -25,6 +25,11 @@
         surfaces bone_bottom, bone_top, bone_sides_x, bone_sides_y, and the same
                  of the cartilage
 
+    sliding_layer             one half of a layer of cartilage, 1 high, on which a
+        region   cartilage                      body slides along x
+        surfaces bottom  z = 0, top  z = 1, sides_x  x = -5.6 and 5.6,
+                 sides_y  y = 3.6, symmetry_y  y = 0
+
 Hexahedra, finer towards the surface where fluid leaves.
 
 Sample runs:
@@ -34,6 +39,7 @@ Sample runs:
   scripts/run_python meshes/boxes.py two_columns -o coarse.msh --size 2
   scripts/run_python meshes/boxes.py column_on_plate -o plate.msh --size 2
   scripts/run_python meshes/boxes.py osteochondral_core -o core.msh --size 2
+  scripts/run_python meshes/boxes.py sliding_layer -o layer.msh
 """
 
 from __future__ import annotations
@@ -53,6 +59,44 @@ from gmsh_bodies import Body
 QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types
 
 
+def grid(x: np.ndarray, y: np.ndarray, z: np.ndarray,
+         names: dict[str, tuple[str, str]], prefix: str = "") -> Body:
+    """Hexahedra between planes at these coordinates.
+
+    The names are those of the surfaces at the lowest and the highest x, y, z.
+    """
+    counts = [len(planes) - 1 for planes in (x, y, z)]
+    points = np.array([[a, b, c] for c in z for b in y for a in x])
+
+    def node(i: int, j: int, k: int) -> int:
+        return 1 + i + len(x) * (j + len(y) * k)
+
+    corners = {"x": ((0, 4, 7, 3), (1, 2, 6, 5)),
+               "y": ((0, 1, 5, 4), (3, 7, 6, 2)),
+               "z": ((0, 3, 2, 1), (4, 5, 6, 7))}
+    hexahedra: list[int] = []
+    faces: dict[str, list[int]] = {
+        prefix + name: [] for axis in "zxy" for name in names[axis]}
+    for k, j, i in np.ndindex(*counts[::-1]):
+        c = [node(i + a, j + b, k + d) for d in (0, 1)
+             for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        hexahedra += c
+        for axis, cell, cells in zip("xyz", (i, j, k), counts):
+            for outside, name, face in zip((cell == 0, cell == cells - 1),
+                                           names[axis], corners[axis]):
+                if outside:
+                    faces[prefix + name] += [c[m] for m in face]
+    return Body(points, [(HEXAHEDRON, np.array(hexahedra, dtype=np.int64))],
+                {name: [(QUADRANGLE, np.array(nodes, dtype=np.int64))]
+                 for name, nodes in faces.items()})
+
+
+def flatter_upwards(bottom: float, height: float, cells: int,
+                    grading: float) -> np.ndarray:
+    """Planes of elements that become flatter where a grading is above 1."""
+    return bottom + height * (1.0 - np.linspace(1.0, 0.0, cells + 1)**grading)
+
+
 def box(side: float, bottom: float, height: float, cells: tuple[int, int],
         grading: float, prefix: str = "") -> Body:
     """A column of cells[0] x cells[0] x cells[1] hexahedra.
@@ -60,35 +104,10 @@ def box(side: float, bottom: float, height: float, cells: tuple[int, int],
     A grading above 1 makes the elements flatter towards the top.
     """
     across, up = cells
-    n = across + 1
-    xy = np.linspace(0.0, side, n)
-    z = bottom + height * (1.0 - np.linspace(1.0, 0.0, up + 1)**grading)
-    points = np.array([[x, y, h] for h in z for y in xy for x in xy])
-
-    def node(i: int, j: int, k: int) -> int:
-        return 1 + i + n * (j + n * k)
-
-    hexahedra = []
-    names = ["bottom", "top", "sides_x", "sides_y"]
-    faces: dict[str, list[int]] = {prefix + name: [] for name in names}
-    for k in range(up):
-        for j in range(across):
-            for i in range(across):
-                c = [node(i + a, j + b, k + d) for d in (0, 1)
-                     for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
-                hexahedra += c
-                for outside, name, corners in (
-                        (k == 0, "bottom", (0, 3, 2, 1)),
-                        (k == up - 1, "top", (4, 5, 6, 7)),
-                        (i == 0, "sides_x", (0, 4, 7, 3)),
-                        (i == across - 1, "sides_x", (1, 2, 6, 5)),
-                        (j == 0, "sides_y", (0, 1, 5, 4)),
-                        (j == across - 1, "sides_y", (3, 7, 6, 2))):
-                    if outside:
-                        faces[prefix + name] += [c[m] for m in corners]
-    return Body(points, [(HEXAHEDRON, np.array(hexahedra, dtype=np.int64))],
-                {name: [(QUADRANGLE, np.array(nodes, dtype=np.int64))]
-                 for name, nodes in faces.items()})
+    xy = np.linspace(0.0, side, across + 1)
+    return grid(xy, xy, flatter_upwards(bottom, height, up, grading),
+                {"x": ("sides_x",) * 2, "y": ("sides_y",) * 2,
+                 "z": ("bottom", "top")}, prefix)
 
 
 def count(number: float, size: float) -> int:
@@ -121,6 +140,17 @@ def osteochondral_core(size: float) -> dict[str, Body]:
                              1.5, "cartilage_")}
 
 
+def sliding_layer(size: float) -> dict[str, Body]:
+    half_length, width = 5.6, 3.6
+    # Finer towards the plane of symmetry, where the body slides.
+    y = width * np.linspace(0.0, 1.0, count(7, size) + 1)**1.2
+    return {"cartilage": grid(
+        np.linspace(-half_length, half_length, count(24, size) + 1), y,
+        flatter_upwards(0.0, 1.0, count(3, size), 1.5),
+        {"x": ("sides_x",) * 2, "y": ("symmetry_y", "sides_y"),
+         "z": ("bottom", "top")})}
+
+
 def unconfined_compression(size: float) -> dict[str, Body]:
     radius, height = 1.5, 0.25
     gmsh.model.add("disc")
@@ -145,7 +175,7 @@ def unconfined_compression(size: float) -> dict[str, Body]:
 
 CASES = {function.__name__: function for function in
          (confined_compression, unconfined_compression, two_columns,
-          column_on_plate, osteochondral_core)}
+           column_on_plate, osteochondral_core, sliding_layer)}
 
 
 def parse(argv: list[str] | None = None) -> argparse.Namespace:

@@ -72,6 +72,8 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "residual_growth", newton.residual_growth,
        NumberRange::From(1.0, 1e6),
        "factor by which the residual may grow in a step");
+   Add(keys, "sliding_growth", newton.sliding_growth,
+       NumberRange::From(1.0, 1e6), "factor on it where there is friction");
    Add(keys, "residual_floor", newton.residual_floor,
        NumberRange::From(1.0, 1e6),
        "residual up to which it may always grow, in tolerances");

@@ -200,13 +200,22 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
       state.jump_weights[j] =
          Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
    }
-   // A predicted slip is no better.
-   if (friction && phase != Phase::prediction)
+   if (friction && phase == Phase::prediction)
+   {
+      // A predicted slip is no better.
+      friction->StartSliding(all_before, state);
+   }
+   else if (friction)
    {
       changed = friction->UpdateSliding(
                    TrialTractions(trial_stiffness), all_before,
                    GapStiffnesses(trial_stiffness), penalties.Gap(), state) ||
                 changed;
+   }
+   if (friction)
+   {
+      friction->LagLimits(TrialTractions(ContactStiffness::bodies),
+                          TrialTractions(ContactStiffness::penalty), state);
    }
    phase = Phase::iteration;
    UpdateTractions();

@@ -181,32 +181,44 @@ void ContactFriction::Archive(StateArchive &archive, const std::string &prefix)
    }
 }
 
-void ContactFriction::StartStage(FrictionState &state) const
+void ContactFriction::StartStage(FrictionState &state)
 {
+   linearized = false;
    for (VertexSlip &vertex : state.vertices)
    {
       vertex.turns = 0;
       vertex.elastic = false;
+      vertex.turned_round = false;
    }
 }
 
 void ContactFriction::Evaluate(const Vector &u, const Vector &p,
                                FrictionState &state)
 {
-   if (accepted_at.Size() == 0)
+   // On a first approach only gaps are looked at.
+   if (!origin_found)
    {
-      // The bodies are on their way to where they start.
       return;
    }
    evaluated_at = u;
    present = constraint.Gap().FindSlidingMaps();
    Vector motion(u);
    motion -= accepted_at;
+   Vector by_present(state.pressure.Size());
    for (int c = 0; c < 3; c++)
    {
       state.distance[c] = origin.mean_distance[c];
       origin.distance[c]->Mult(1.0, motion, 1.0, state.distance[c]);
-      state.distance[c].HostRead();
+      state.distance[c].HostReadWrite();
+      present.distance[c]->Mult(motion, by_present);
+      by_present.HostRead();
+      for (int j = 0; j < by_present.Size(); j++)
+      {
+         if (!HasOrigin(j))
+         {
+            state.distance[c][j] = by_present[j];
+         }
+      }
    }
    present.pressure->Mult(p, state.pressure);
    state.pressure.HostRead();
@@ -251,12 +263,14 @@ ContactFriction::Response ContactFriction::Respond(const FrictionState &state,
                                                    real_t penalty) const
 {
    const VertexSlip &how = state.vertices[vertex];
-   const real_t limit = law.Limit(normal, state.pressure[vertex]);
+   const real_t limit = how.lags ? lagged_limit[vertex]
+                                 : law.Limit(normal, state.pressure[vertex]);
    const Point3 trial = Trial(state, vertex, how.elastic ? penalty : stiffness);
    const real_t length = Length(trial);
    Response response;
-   if (how.elastic ? !(length > limit) : !how.slides)
+   if (how.elastic ? how.turned_round || !(length > limit) : !how.slides)
    {
+      response.sticks = true;
       response.traction = trial;
       response.by_trial = Scaled(
          1.0, {{{{1.0, 0.0, 0.0}}, {{0.0, 1.0, 0.0}}, {{0.0, 0.0, 1.0}}}});
@@ -270,8 +284,38 @@ ContactFriction::Response ContactFriction::Respond(const FrictionState &state,
    response.traction = Sum({{0.0, 0.0, 0.0}}, limit, along);
    response.by_trial =
       Scaled(std::min<real_t>(1.0, limit / length), Projector(along));
-   response.by_limit = along;
+   if (!how.lags)
+   {
+      response.by_limit = along;
+   }
    return response;
+}
+
+void ContactFriction::LagLimits(const Vector &normal, const Vector &pressing,
+                                ContactState &state)
+{
+   // A penalty makes many times the traction of a gap that is still open.
+   constexpr real_t much = 0.5;
+   FrictionState &friction = state.friction;
+   lagged_limit.SetSize(normal.Size());
+   for (int j = 0; j < normal.Size(); j++)
+   {
+      lagged_limit[j] = law.Limit(normal[j], friction.pressure[j]);
+      friction.vertices[j].lags =
+         state.vertices[j].touches &&
+         std::abs(pressing[j] - normal[j]) > much * std::abs(normal[j]);
+   }
+}
+
+void ContactFriction::StartSliding(const std::vector<VertexContact> &before,
+                                   ContactState &state)
+{
+   for (std::size_t i = 0; i < before.size(); i++)
+   {
+      bool &slides = state.friction.vertices[i].slides;
+      slides = state.vertices[i].touches && (slides || !before[i].touches);
+   }
+   sliding_changed = false;
 }
 
 bool ContactFriction::UpdateSliding(const Vector &normal,
@@ -285,22 +329,30 @@ bool ContactFriction::UpdateSliding(const Vector &normal,
    {
       VertexSlip &vertex = friction.vertices[i];
       const int j = static_cast<int>(i);
+      const bool slid = vertex.slides;
+      const bool turned_round = vertex.turned_round;
+      vertex.turned_round = false;
       if (!state.vertices[i].touches)
       {
          vertex.slides = false;
          continue;
       }
-      const bool slid = vertex.slides;
       const real_t limit = law.Limit(normal[j], friction.pressure[j]);
-      const real_t trial =
-         Length(Trial(friction, j, vertex.elastic ? penalty[j] : stiffness[j]));
-      vertex.slides = trial > limit;
+      const Point3 trial =
+         Trial(friction, j, vertex.elastic ? penalty[j] : stiffness[j]);
+      const bool slides = Length(trial) > limit;
+      // Nothing resists along the slip that there was: it would go to and fro.
+      vertex.turned_round =
+         slides && linearized && slid_when_linearized[i] &&
+         Dot(trial, FrictionState::At(linearized_traction, j)) < 0.0;
+      vertex.slides = slides && !vertex.turned_round;
       if (before[i].touches && vertex.slides != slid && !vertex.elastic)
       {
          changed = true;
          vertex.turns++;
          vertex.elastic = vertex.turns > most_turns;
       }
+      changed = changed || vertex.turned_round || turned_round;
    }
    sliding_changed = AnyRank(changed, destination.Spaces().GetComm());
    return sliding_changed;
@@ -353,6 +405,9 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
 {
    const FrictionState &friction = state.friction;
    const int size = area.Size();
+   linearized_traction = friction.traction;
+   slid_when_linearized.assign(size, false);
+   linearized = true;
    VectorByComponent nodal_force(friction.traction);
    for (Vector &component : nodal_force)
    {
@@ -361,6 +416,8 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
    const SlidingChanges changes =
       constraint.Gap().FindSlidingChanges(p, nodal_force);
    VertexMatrices by_distance(size);
+   VertexMatrices by_present_distance(size);
+   bool any_without_origin = false;
    VertexMatrices by_normal_area(size);
    VectorByComponent by_gap{Vector(size), Vector(size), Vector(size)};
    VectorByComponent by_fluid(by_gap);
@@ -374,11 +431,14 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
       }
       const Response response =
          Respond(friction, j, state.traction[j], penalty[j], penalty[j]);
+      FrictionState::Set(linearized_traction, j, response.traction);
+      slid_when_linearized[j] = !response.sticks;
       const Point3 normal = FrictionState::At(friction.normal, j);
       const Point3 distance = FrictionState::At(friction.distance, j);
       const Matrix3 across = Projector(normal);
-      by_distance.Set(j,
-                      Product(response.by_trial, Scaled(penalty[j], across)));
+      (HasOrigin(j) ? by_distance : by_present_distance)
+         .Set(j, Product(response.by_trial, Scaled(penalty[j], across)));
+      any_without_origin = any_without_origin || !HasOrigin(j);
       Matrix3 turn =
          Turn(friction, j).Derivative(Carried(friction, j, penalty[j]));
       for (int i = 0; i < 3; i++)
@@ -396,6 +456,8 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
          by_fluid[c][j] = response.by_limit[c] * law.ByPressure();
       }
    }
+   any_without_origin =
+      AnyRank(any_without_origin, destination.Spaces().GetComm());
    force_by_pressure.reset();
    force_change.reset();
    Unique sum = std::make_unique<HypreParMatrix>(*gaps.force_change);
@@ -405,6 +467,11 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
       by_displacement[c].reset();
       by_pressure[c].reset();
       by_distance.AddProduct(c, origin.distance, by_displacement[c]);
+      if (any_without_origin)
+      {
+         by_present_distance.AddProduct(c, present.distance,
+                                        by_displacement[c]);
+      }
       by_normal_area.AddProduct(c, changes.normal_area, by_displacement[c]);
       AddScaled(by_gap[c], *gaps.gap_change, by_displacement[c]);
       AddScaled(by_fluid[c], *changes.pressure, by_displacement[c]);

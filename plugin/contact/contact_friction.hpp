@@ -18,8 +18,9 @@ namespace synovia
 ///     s_j = (I - n_j n_j^T) d_j - Q (the same at the origin)
 ///
 /// with the d_j of SlidingMaps, and Q the turn of the normal since then: a
-/// motion of both surfaces together is no slip. With a multiplier Lambda_j and
-/// the penalty eps,
+/// motion of both surfaces together is no slip. Where no point around a vertex
+/// faced the other surface then, the slip is that of the points that do now.
+/// With a multiplier Lambda_j and the penalty eps,
 ///
 ///     trial_j = Q Lambda_j + eps s_j,
 ///     t_j = trial_j where a vertex sticks, limit_j trial_j / |trial_j| where
@@ -54,14 +55,23 @@ public:
    void Archive(StateArchive &archive, const std::string &prefix);
 
    /// To be called with each new stage; not collective.
-   void StartStage(FrictionState &state) const;
+   void StartStage(FrictionState &state);
    /// Evaluates slips and normals at displacement @a u and pressure @a p, where
-   /// the constraint was evaluated.
+   /// the constraint was evaluated; does nothing before FindOrigin().
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p,
                  FrictionState &state);
+   /// Decides where limits are those of these @a normal tractions until the
+   /// next decision, as tractions with penalties (@a pressing) are far from
+   /// them: their derivatives would lead astray. Not collective.
+   void LagLimits(const mfem::Vector &normal, const mfem::Vector &pressing,
+                  ContactState &state);
+   /// What comes into contact slides until UpdateSliding(); all else stays.
+   /// @a before: the active set before the last decision. Not collective.
+   void StartSliding(const std::vector<VertexContact> &before,
+                     ContactState &state);
    /// Decides what slides under these @a normal tractions, with trials of this
    /// @a stiffness (stress / length); says whether anything changed on any
-   /// rank. @a before: the active set before the last decision.
+   /// rank.
    bool UpdateSliding(const mfem::Vector &normal,
                       const std::vector<VertexContact> &before,
                       const mfem::Vector &stiffness,
@@ -118,12 +128,18 @@ private:
    /// What tractions depend on at a vertex.
    struct Response
    {
+      bool sticks = false;
       Point3 traction{{0.0, 0.0, 0.0}};
       /// By the trial traction, and by the limit.
       Matrix3 by_trial{};
       Point3 by_limit{{0.0, 0.0, 0.0}};
    };
 
+   /// Whether any point around a vertex faced the source at the origin.
+   bool HasOrigin(int vertex) const
+   {
+      return Length(FrictionState::At(origin_normal, vertex)) > 0.5;
+   }
    TangentialTurn Turn(const FrictionState &state, int vertex) const
    {
       return {FrictionState::At(origin_normal, vertex),
@@ -156,6 +172,13 @@ private:
    std::unique_ptr<mfem::HypreParMatrix> force_change;
    std::unique_ptr<mfem::HypreParMatrix> force_by_pressure;
    bool sliding_changed = false;
+   /// Of tractions at the last LagLimits() (stress).
+   mfem::Vector lagged_limit;
+   /// Tractions of the last Linearize() in this stage, if there was one, and
+   /// where they were of what slides.
+   bool linearized = false;
+   VectorByComponent linearized_traction;
+   std::vector<bool> slid_when_linearized;
 };
 
 } // namespace synovia

@@ -20,6 +20,10 @@ struct VertexSlip
    /// It turned too often: for the rest of the stage it sticks elastically, and
    /// yields where it slides.
    bool elastic = false;
+   /// It slid, and its slip turned round: it sticks for an iteration.
+   bool turned_round = false;
+   /// Its limit is that of the last decision, as its gap is far from closed.
+   bool lags = false;
 };
 
 /// The variables of friction that a step changes, for each of this rank's

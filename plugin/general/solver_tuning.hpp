@@ -46,9 +46,9 @@ struct ContactTuning
    /// change by more than these parts: of the gap tolerance and of the gap
    /// itself, added, and of the area. Larger: fewer searches; the next step
    /// makes up for them.
-   mfem::real_t drift_of_tolerance = 0.5;
+   mfem::real_t drift_of_tolerance = 0.1;
    mfem::real_t drift_of_gap = 0.01;
-   mfem::real_t drift_of_area = 0.01;
+   mfem::real_t drift_of_area = 1e-4;
 };
 
 /// Of Newton's method.
@@ -77,6 +77,9 @@ struct NewtonTuning
    /// Factor by which the residual may grow in a step. Larger: fewer shortened
    /// steps, but the iteration may diverge.
    mfem::real_t residual_growth = 2.0;
+   /// With friction, a factor on it: what slides goes farther than the bodies'
+   /// own increments.
+   mfem::real_t sliding_growth = 10.0;
    /// Residuals below this many tolerances may always grow up to it.
    mfem::real_t residual_floor = 10.0;
    /// So may residuals below this part of the largest one of the solve: points

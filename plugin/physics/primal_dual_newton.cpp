@@ -201,9 +201,8 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
    EvaluateBodies(stage);
    const real_t now = Assess(stage, ContactStiffness::bodies, tolerance);
    // What slides goes farther than the bodies' own increments.
-   constexpr real_t sliding = 10.0;
-   const real_t growth =
-      tuning.residual_growth * (contact.HasFriction() ? sliding : 1.0);
+   const real_t growth = tuning.residual_growth *
+                         (contact.HasFriction() ? tuning.sliding_growth : 1.0);
    if (now <= std::max({tuning.residual_floor, growth * norm,
                         tuning.small_residual * largest_residual}))
    {

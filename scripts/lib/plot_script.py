@@ -16,18 +16,49 @@ def run(argv: list[str] | None, doc: str | None, case: str,
 
     draw() puts the pictures into a directory, and gives the lines to print.
     """
+    args = make_parser(doc).parse_args(argv)
+    return drawn(case, args, lambda folder: draw(Output(args.out), folder))
+
+
+def run_beside(argv: list[str] | None, doc: str | None, case: str, other: str,
+               draw: Callable[[list[Output], pathlib.Path], str]) -> int:
+    """The same of a run and of one of the case `other`, if it is there.
+
+    That is the second argument, or in the directory `other` beside the first.
+    """
+    parser = make_parser(doc)
+    name = other.split("_")[0].upper()
+    parser.add_argument("other", type=pathlib.Path, metavar=name, nargs="?",
+                        help=f"output directory of {other}.toml (default: "
+                        f"{other} beside OUT, if it is there)")
+    args = parser.parse_args(argv)
+
+    def draw_both(folder: pathlib.Path) -> str:
+        outs = [Output(args.out)]
+        beside = args.other or args.out.resolve().parent / other
+        if args.other or beside.is_dir():
+            outs.append(Output(beside))
+        return draw(outs, folder)
+    return drawn(case, args, draw_both)
+
+
+def make_parser(doc: str | None) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=pathlib.Path, metavar="OUT",
                         help="output directory of the run")
     parser.add_argument("-o", "--output", type=pathlib.Path,
                         help="directory for the pictures (default: OUT)")
-    args = parser.parse_args(argv)
+    return parser
+
+
+def drawn(case: str, args: argparse.Namespace,
+          draw: Callable[[pathlib.Path], str]) -> int:
     try:
         folder = args.output or args.out
-        out = Output(args.out)
+        Output(args.out)
         folder.mkdir(parents=True, exist_ok=True)
-        print(draw(out, folder))
+        print(draw(folder))
     except (OutputError, OSError) as error:
         print(f"plot_{case}.py: error: {error}", file=sys.stderr)
         return 1

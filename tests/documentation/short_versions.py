@@ -37,7 +37,13 @@ LIGHT = {
         "boundary.humeral_bone.displacement=[0, 0, "
         "{times = [0, 10], values = [0, -0.02]}]",
     "glenohumeral_ligaments.toml":
-        "joint.shoulder.flexion={times = [10, 20], values = [0, 0.01]}"}
+        "joint.shoulder.flexion={times = [10, 20], values = [0, 0.01]}",
+    "migrating_contact.toml":
+        "rigid_body.sphere.translation=[{times = [0, 402], "
+        'values = [0, 0.25]}, 0, "free"]',
+    "resting_contact.toml":
+        "rigid_body.sphere.translation=[{times = [0, 402], "
+        'values = [0, 0.025]}, 0, "free"]'}
 
 # Other options that make a program quick; scripts/run without a case is the
 # indentation, whose pictures show what it is after 250 s.
