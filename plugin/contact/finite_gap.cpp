@@ -3,6 +3,7 @@
 #include "synovia/contact/vertex_blocks.hpp"
 #include "synovia/general/reduce.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -152,6 +153,8 @@ void FiniteGap::AssembleCoverage()
       {
          hit_area += points[end].area;
       }
+      // The sum may be below zero for faces that are nearly along the normals.
+      hit_area = std::max<real_t>(hit_area, 0.0);
       for (std::size_t i = begin; i < end; i++)
       {
          at.Evaluate(points[i]);

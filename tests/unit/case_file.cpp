@@ -373,8 +373,8 @@ TEST_CASE("Everything that is wrong with a case is said where it is", "[case]")
       // What is not TOML
       {"scale = 1000", "scale = ", {"dir/case.toml:4:", "not TOML"}},
       {"scale = 1000", "file = \"b\"", {"dir/case.toml:4:", "not TOML"}},
-      {"[time]", "[=time]", {"dir/case.toml:26:1: this is not TOML"}},
-      {"[time]", "[(time]", {"dir/case.toml:26:1: this is not TOML"}},
+      {"[time]", "[=time]", {"dir/case.toml:29:1: this is not TOML"}},
+      {"[time]", "[(time]", {"dir/case.toml:29:1: this is not TOML"}},
       {"[time]", "[time", {"dir/case.toml:", "not TOML"}},
       {"scale = 1000", "sc\xc3\xa9le = 1000", {"dir/case.toml:4:"}},
       {"scale = 1000", "scale = \xe3\x80\x81 1000", {"dir/case.toml:4:"}},

@@ -15,10 +15,12 @@
 
 #include "support/boxes.hpp"
 #include "synovia/general/reduce.hpp"
+#include "synovia/mesh/boundary_marker.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace mfem;
@@ -101,6 +103,21 @@ struct Columns
       return space;
    }
 
+   /// How far the lower column's top has sunk.
+   real_t Compression(const Vector &u)
+   {
+      Array<int> dofs;
+      problem.Spaces().Displacement().GetEssentialTrueDofs(
+         BoundaryMarker(problem.Spaces().GetMesh(), mesh.Boundary("lower_z1")),
+         dofs, 2);
+      real_t most = 0.0;
+      for (const int dof : dofs)
+      {
+         most = std::max(most, std::abs(u[dof]));
+      }
+      return MaxOverRanks(most, MPI_COMM_WORLD);
+   }
+
    NamedMesh mesh;
    BiphasicProblem problem;
    const IsotropicElastic linear_block{2.0, 0.2};
@@ -178,7 +195,7 @@ TEST_CASE("A surface that nothing touches drains unless it is sealed")
    const bool sealed = GENERATE(false, true);
    CAPTURE(finite, sealed);
    Columns columns(finite, "lower_z1");
-   columns.problem.FixDisplacement("upper_z1");
+   columns.problem.PrescribeDisplacement("upper_z1", 2, 0.01);
    columns.problem.AddContact("upper_z0", "lower_z1");
    if (sealed)
    {
@@ -201,7 +218,7 @@ TEST_CASE("A surface that nothing touches drains unless it is sealed")
       CAPTURE(s);
       const ContactDiagnostics pair =
          Diagnose(*columns.problem.Operator().Pairs().front());
-      CHECK(Length(pair.force) == 0.0);
+      CHECK(Length(pair.destination_force) == 0.0);
       if (s < 0.2)
       {
          continue;
@@ -209,7 +226,7 @@ TEST_CASE("A surface that nothing touches drains unless it is sealed")
       const Series series(s);
       CHECK(Largest(stepper.State().GetBlock(1)) ==
             Approx(load * series.pressure).epsilon(3e-3));
-      CHECK(Largest(stepper.State().GetBlock(0)) ==
+      CHECK(columns.Compression(stepper.State().GetBlock(0)) ==
             Approx(load * series.compression / tissue).epsilon(3e-3));
    }
 }
