@@ -53,9 +53,8 @@ class Knee:
     A run that has not come that far yet gives those of the latest time.
     """
 
-    def __init__(self, out: Output, loaded: float = LOADED):
+    def __init__(self, out: Output):
         self.out = out
-        self.loaded = loaded
         self.history = out.history()
         there = report_history.pair_names(self.history)
         missing = [pair for pair in PAIRS if pair not in there]
@@ -68,13 +67,11 @@ class Knee:
         self.time = self._time()
 
     def _time(self) -> float:
-        time = min(self.times, key=lambda t: abs(t - self.loaded),
-                   default=np.inf)
-        unfinished = self.times and self.times[-1] < self.loaded
-        if abs(time - self.loaded) > NEAR_ENOUGH and not unfinished:
+        time = min(self.times, key=lambda t: abs(t - LOADED), default=np.inf)
+        unfinished = self.times and self.times[-1] < LOADED
+        if abs(time - LOADED) > NEAR_ENOUGH and not unfinished:
             raise OutputError(
-                f"'{self.out.directory}' has no fields near t = "
-                f"{self.loaded:g}, "
+                f"'{self.out.directory}' has no fields near t = {LOADED:g}, "
                 "only at "
                 f"{', '.join(f'{t:g}' for t in self.times) or 'no time'}")
         return time
@@ -89,7 +86,7 @@ class Knee:
         return case.get("physics", {}).get("deformation") == "finite"
 
     def stopped_early(self) -> bool:
-        return self.time < self.loaded - NEAR_ENOUGH
+        return self.time < LOADED - NEAR_ENOUGH
 
     @functools.cached_property
     def bodies(self) -> knee_views.Bodies:
