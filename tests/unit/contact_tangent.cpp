@@ -109,10 +109,10 @@ public:
       step = deformation == Deformation::finite ? 3e-6 : 1e-4;
       pairs.push_back(blocks.pair.get());
       whole = std::make_unique<StageEquations>(
-         blocks.spaces, conditions, pairs,
+         blocks.spaces, conditions, pairs, no_interfaces,
          MakeBodies(blocks, conditions, deformation));
       apart = std::make_unique<StageEquations>(
-         blocks.spaces, conditions, no_pairs,
+         blocks.spaces, conditions, no_pairs, no_interfaces,
          MakeBodies(blocks, conditions, deformation));
 
       stage.dt = 3.0;
@@ -199,6 +199,7 @@ private:
    BoundaryConditions conditions;
    std::vector<ContactPair *> pairs;
    const std::vector<ContactPair *> no_pairs;
+   const std::vector<TiedInterface *> no_interfaces;
    ImplicitStage stage;
    /// Of differences. Infinitesimal equations are linear while nothing
    /// switches, so that a large one has less round-off and is as exact.

@@ -46,8 +46,8 @@ struct Held
       conditions.AddRigidBody({"bottom", mesh.Boundary("z0"), bottom});
       AddLigaments();
       AddJoint();
-      equations = std::make_unique<StageEquations>(spaces, conditions, no_pairs,
-                                                   MakeBodies(finite));
+      equations = std::make_unique<StageEquations>(
+         spaces, conditions, no_pairs, no_interfaces, MakeBodies(finite));
 
       const RigidTies &ties = equations->Ties();
       stage.dt = 2.0;
@@ -177,6 +177,7 @@ struct Held
    MaterialTable materials;
    BoundaryConditions conditions;
    const std::vector<ContactPair *> no_pairs;
+   const std::vector<TiedInterface *> no_interfaces;
    std::unique_ptr<StageEquations> equations;
    ImplicitStage stage;
 };
