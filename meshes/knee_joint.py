@@ -10,6 +10,7 @@ to the right, y to the front, z up.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -134,24 +135,27 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
         columns = meniscus_wedge.columns(
             fitted, mesh, face,
             order * max(3, round(MENISCAL_LAYERS / size)))
-        bodies[name] = settle(columns, mesh, name, face,
-                              quads_of(bodies[TIBIA[side]],
-                                       f"{TIBIA[side]}_contact"),
-                              quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
+        bodies[name] = settle(
+            columns, name, lambda: meniscus_body(mesh, columns, name, face),
+            quads_of(bodies[TIBIA[side]], f"{TIBIA[side]}_contact"),
+            quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
         frames[side] = origin(bodies[name], side, body)
     return Knee({name: bodies[name] for name in REGIONS}, lift, frames)
 
 
-def settle(columns: np.ndarray, mesh: QuadMesh, name: str,
-           face: InnerFace, tibia: np.ndarray, femur: np.ndarray) -> Body:
-    """The meniscus, its two sides moved along z until they touch."""
-    def body() -> Body:
-        wedge = sweep(mesh, columns, "inferior", "superior", name)
-        if not face.rounded:
-            return wedge
-        return meniscus_tip.add_tip(
-            wedge, meniscus_wedge.rows(mesh, columns), mesh.order, name)
+def meniscus_body(mesh: QuadMesh, columns: np.ndarray, name: str,
+                  face: InnerFace) -> Body:
+    wedge = sweep(mesh, columns, "inferior", "superior", name)
+    if not face.rounded:
+        return wedge
+    return meniscus_tip.add_tip(
+        wedge, meniscus_wedge.rows(mesh, columns), mesh.order, name)
 
+
+def settle(columns: np.ndarray, name: str, body: Callable[[], Body],
+           tibia: np.ndarray, femur: np.ndarray) -> Body:
+    """The meniscus of these columns, its two sides moved along z until they
+    touch."""
     share = np.linspace(0, 1, columns.shape[1])
     below = surface_gap.vertical_gaps(
         tibia, quads_of(body(), f"{name}_inferior"))

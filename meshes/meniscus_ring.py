@@ -140,7 +140,8 @@ def make_bodies(args: argparse.Namespace) -> dict[str, Body]:
     columns = np.repeat(high[:, None], len(share), axis=1)
     columns[:, :, 2] *= share
     bodies[MENISCUS] = knee_joint.settle(
-        columns, ring, MENISCUS,
+        columns, MENISCUS,
+        lambda: sweep(ring, columns, "inferior", "superior", MENISCUS),
         quads_of(bodies[TIBIA], f"{TIBIA}_contact"),
         quads_of(bodies[FEMUR], f"{FEMUR}_contact"))
     return bodies

@@ -56,7 +56,7 @@ std::vector<Setup> Setups()
    setups[6].tolerance = 1e-6;
    setups[7].name = "finite, what slides or sticks, curved";
    setups[7].blocks.curved = true;
-   setups[7].blocks.friction = {1.2, 0.3};
+   setups[7].blocks.friction = {0.6, 0.3};
    setups[7].slides = true;
    setups[7].sticks = true;
    setups[8].name = "finite, what slides, driven";

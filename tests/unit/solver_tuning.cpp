@@ -132,7 +132,7 @@ TEST_CASE("Every tuning constant has a key, and its default is the struct's")
    const std::vector<std::string> keys = TuningKeys();
    // A member without a key changes the size of the struct only.
    CHECK(sizeof(SolverTuning) <= keys.size() * sizeof(real_t));
-   CHECK(keys.size() == 47);
+   CHECK(keys.size() == 49);
    const CaseFile standard = Parsed({});
    for (const std::string &key : keys)
    {
@@ -221,8 +221,9 @@ TEST_CASE("Tuning reaches contact that slides in finite deformation")
    const std::string drift = "solver.tuning.contact.drift_of_";
    // One for each of the four steps: the first one takes points to other faces,
    // where gaps and areas are the same but for round-off.
-   CHECK(searches({}) == 4);
-   CHECK(searches({drift + "area=0"}) > 4);
+   const std::string loose = drift + "tolerance=0.5";
+   CHECK(searches({loose}) == 4);
+   CHECK(searches({loose, drift + "area=0"}) > 4);
    CHECK(searches({drift + "tolerance=0", drift + "gap=0"}) > 4);
    CHECK(searches({drift + "area=0", drift + "tolerance=0", drift + "gap=0",
                    "solver.tuning.newton.max_searches=0"}) == 4);
