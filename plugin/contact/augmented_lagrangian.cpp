@@ -200,12 +200,8 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
       state.jump_weights[j] =
          Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
    }
-   if (friction && phase == Phase::prediction)
-   {
-      // A predicted slip is no better.
-      friction->StartSliding(all_before, state);
-   }
-   else if (friction)
+   // A predicted slip is no better.
+   if (friction && phase != Phase::prediction)
    {
       changed = friction->UpdateSliding(
                    TrialTractions(trial_stiffness), all_before,

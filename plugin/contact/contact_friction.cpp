@@ -307,17 +307,6 @@ void ContactFriction::LagLimits(const Vector &normal, const Vector &pressing,
    }
 }
 
-void ContactFriction::StartSliding(const std::vector<VertexContact> &before,
-                                   ContactState &state)
-{
-   for (std::size_t i = 0; i < before.size(); i++)
-   {
-      bool &slides = state.friction.vertices[i].slides;
-      slides = state.vertices[i].touches && (slides || !before[i].touches);
-   }
-   sliding_changed = false;
-}
-
 bool ContactFriction::UpdateSliding(const Vector &normal,
                                     const std::vector<VertexContact> &before,
                                     const Vector &stiffness,

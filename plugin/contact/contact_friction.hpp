@@ -65,10 +65,6 @@ public:
    /// them: their derivatives would lead astray. Not collective.
    void LagLimits(const mfem::Vector &normal, const mfem::Vector &pressing,
                   ContactState &state);
-   /// What comes into contact slides until UpdateSliding(); all else stays.
-   /// @a before: the active set before the last decision. Not collective.
-   void StartSliding(const std::vector<VertexContact> &before,
-                     ContactState &state);
    /// Decides what slides under these @a normal tractions, with trials of this
    /// @a stiffness (stress / length); says whether anything changed on any
    /// rank.
