@@ -210,7 +210,7 @@ TEST_CASE("A body hangs from three ligaments as deep as their law says")
    };
    const real_t depth = Root(missing, -0.03, 3.0);
    CHECK(depth > 0.1);
-   const RigidPose &pose = hung.problem.RigidBodyStates().front().pose;
+   const RigidPose pose = hung.problem.RigidBodyStates().front().pose;
    CHECK(pose[2] == Approx(-depth).epsilon(1e-8));
    CHECK(std::abs(pose[0]) + std::abs(pose[1]) < 1e-9);
    for (const auto &ligament : hung.problem.LigamentStates())
