@@ -21,6 +21,9 @@ from program_checks import (MPIEXEC, PROGRAMS, SOURCE, check,  # noqa: E402
 
 # What depends on the machine.
 MEASURED = ("seconds", "dofs_per_second", "memory", "cpu")
+# The residual after a factorization's solution is round-off, which depends on
+# the order in which messages of ranks come.
+ROUND_OFF = {"direct": ("linear_per_decade",), "block_amg": ()}
 
 
 def command_on(device: str, ranks: int, *command: str | pathlib.Path):
@@ -34,10 +37,10 @@ def run(device: str, ranks: int, *command: str | pathlib.Path) -> str:
 
 
 def same(name: str, table: dict[str, float], other: dict[str, float],
-         least: int) -> None:
+         least: int, round_off: tuple[str, ...] = ()) -> None:
     """That two rows agree to round-off in more than @a least numbers."""
-    compared = [key for key in table
-                if not any(word in key for word in MEASURED)]
+    compared = [key for key in table if key not in round_off
+                and not any(word in key for word in MEASURED)]
     different = [key for key in compared
                  if abs(table[key] - other[key])
                  > 1e-10 + 1e-8 * abs(table[key])]
@@ -71,7 +74,8 @@ def main() -> None:
             rows = [numbers(run(device, ranks, scaling, "-n", "3",
                                 *arguments))
                     for device in ("cpu", "debug")]
-            same(" ".join(arguments), *rows, least=15)
+            same(" ".join(arguments), *rows, least=15,
+                 round_off=ROUND_OFF[arguments[-1]])
 
     with tempfile.TemporaryDirectory() as directory:
         here = pathlib.Path(directory)
