@@ -59,6 +59,7 @@ class Settings:
     steps: int
     repeat: int
     solver: str
+    own_meshes: bool
     folder: pathlib.Path
 
 
@@ -82,7 +83,7 @@ def make_mesh(case: str, settings: Settings) -> pathlib.Path:
     """By the case's generator, in a file of its own."""
     script, *arguments = read_case(case)["mesh"]["generator"]
     script = INSTEAD.get(script, script)
-    if case in SIZES:
+    if case in SIZES and not settings.own_meshes:
         arguments += ["--size", str(SIZES[case])]
     mesh = settings.folder / f"{case}.msh"
     run = subprocess.run(
@@ -175,6 +176,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--repeat", type=int, default=1,
                         help="how often each build runs each case; the least "
                         "time counts (default: %(default)s)")
+    parser.add_argument("--own-meshes", action="store_true",
+                        help="as fine as the cases have them, for times")
     parser.add_argument("--tolerance", type=float,
                         help="(default: " + ", ".join(
                             f"{value:g} with {name}" for name, value
@@ -208,7 +211,7 @@ def main(arguments: list[str]) -> int:
     with tempfile.TemporaryDirectory() as folder:
         settings = Settings(programs, launcher, options.ranks, options.steps,
                             options.repeat, options.solver,
-                            pathlib.Path(folder))
+                            options.own_meshes, pathlib.Path(folder))
         for case in options.cases:
             try:
                 if not report(case, compare_case(case, settings), tolerance):
