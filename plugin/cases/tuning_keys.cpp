@@ -82,6 +82,9 @@ KeyTable NewtonKeys(NewtonTuning &newton)
        "the same, as a part of the solve's largest residual");
    Add(keys, "max_searches", newton.max_searches, NumberRange::From(0, 1000),
        "most new searches of contact in one solve");
+   Add(keys, "search_reduction", newton.search_reduction,
+       NumberRange::Inside(0.0, 1.0),
+       "part of the last search's residual that one more search may cause");
    return keys;
 }
 

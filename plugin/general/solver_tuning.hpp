@@ -90,6 +90,10 @@ struct NewtonTuning
    /// How often contact is searched anew in one solve because points have moved
    /// on to other faces.
    int max_searches = 3;
+   /// A search is followed by another one if it upset the balance by less than
+   /// this part of what the one before it did. Larger: points near an edge may
+   /// go back and forth until max_searches.
+   mfem::real_t search_reduction = 0.5;
 };
 
 /// Of factorizations that are kept over steps and active sets.

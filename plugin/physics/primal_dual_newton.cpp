@@ -14,13 +14,9 @@ using namespace mfem;
 bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    const NewtonTuning &tuning = options.tuning.newton;
-   // A search that settles leaves less than this part of what was there.
-   constexpr real_t settling = 0.5;
    ForcingTerm forcing(tuning.largest_forcing, tuning.forcing_factor);
    TangentRenewal renewal(tuning);
-   int searches = 0;
-   real_t before_search = 0.0;
-   real_t after_search = 0.0;
+   SearchRule search(tuning);
    set_changed = false;
    has_stepped = false;
    largest_residual = 0.0;
@@ -33,27 +29,16 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       }
       const StageContact::Violations violations = contact.FindViolations(stage);
       const real_t balance = AssessBalance(stage, tolerance);
-      // Of the whole step at first, of what the last search changed later.
-      real_t &largest = searches == 0 ? before_search : after_search;
-      largest = std::max(largest, balance);
+      search.AddResidual(balance);
       if (balance <= 1.0 && violations.within_tolerance && !set_changed)
       {
-         // Points near an edge may go back and forth: each search would undo
-         // what the one before it did.
-         const bool settles =
-            searches == 0 || after_search < settling * before_search;
-         if (searches == tuning.max_searches || !settles ||
+         if (!search.Allows() ||
              !contact.SearchDrifted(stage, ContactStiffness::bodies))
          {
             contact.SetTractions(ContactStiffness::none);
             return true;
          }
-         if (searches > 0)
-         {
-            before_search = after_search;
-            after_search = 0.0;
-         }
-         searches++;
+         search.Restart();
          renewal.Restart();
          set_changed = true;
          evaluated = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/physics/forcing_term.hpp"
+#include "synovia/physics/search_rule.hpp"
 #include "synovia/physics/stage_method.hpp"
 #include "synovia/physics/tangent_renewal.hpp"
 

@@ -1,9 +1,10 @@
 // ranks: 1
 //
-// When Newton's method of nonlinear bodies takes a new tangent, and how
-// accurately it solves.
+// When Newton's method of nonlinear bodies takes a new tangent or searches
+// contact anew, and how accurately it solves.
 
 #include "synovia/physics/forcing_term.hpp"
+#include "synovia/physics/search_rule.hpp"
 #include "synovia/physics/tangent_renewal.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,4 +49,47 @@ TEST_CASE("Linear systems are solved as accurately as the residual falls")
    CHECK(forcing.Next(1e2) == Approx(9e-7));
    // None is less accurate than the first.
    CHECK(forcing.Next(90.0) == 1e-2);
+}
+
+TEST_CASE("Contact is searched anew while each search upsets less")
+{
+   NewtonTuning tuning;
+   tuning.max_searches = 3;
+   tuning.search_reduction = 0.5;
+   SearchRule rule(tuning);
+   rule.AddResidual(1e6);
+   rule.AddResidual(0.5);
+   CHECK(rule.Allows());
+   rule.Restart();
+   rule.AddResidual(1e4);
+   rule.AddResidual(0.5);
+   CHECK(rule.Allows());
+   rule.Restart();
+   // The search before it cost 1e4.
+   rule.AddResidual(0.6e4);
+   rule.AddResidual(0.5);
+   CHECK_FALSE(rule.Allows());
+}
+
+TEST_CASE("Contact is searched anew no more often than the tuning says")
+{
+   NewtonTuning tuning;
+   tuning.max_searches = 2;
+   SearchRule rule(tuning);
+   rule.AddResidual(1e6);
+   rule.Restart();
+   rule.AddResidual(1e3);
+   CHECK(rule.Allows());
+   rule.Restart();
+   rule.AddResidual(1.0);
+   CHECK_FALSE(rule.Allows());
+}
+
+TEST_CASE("Without searches contact is searched only with the step")
+{
+   NewtonTuning tuning;
+   tuning.max_searches = 0;
+   SearchRule rule(tuning);
+   rule.AddResidual(1e6);
+   CHECK_FALSE(rule.Allows());
 }

@@ -1,0 +1,28 @@
+#include "synovia/physics/search_rule.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+void SearchRule::AddResidual(real_t norm)
+{
+   last = std::max(last, norm);
+}
+
+bool SearchRule::Allows() const
+{
+   return searches < tuning.max_searches &&
+          (searches == 0 || last < tuning.search_reduction * before_last);
+}
+
+void SearchRule::Restart()
+{
+   searches++;
+   before_last = last;
+   last = 0.0;
+}
+
+} // namespace synovia

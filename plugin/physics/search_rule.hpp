@@ -1,0 +1,34 @@
+#pragma once
+
+#include "synovia/general/solver_tuning.hpp"
+
+namespace synovia
+{
+
+/// When Newton's method searches contact anew within a solve, once it has
+/// converged with the partners there are: NewtonTuning::max_searches times at
+/// most, and no more where searches undo each other, as for points near an
+/// edge, which go back and forth: where a search upset the balance nearly as
+/// much as the one before it.
+class SearchRule
+{
+public:
+   explicit SearchRule(const NewtonTuning &tuning_) : tuning(tuning_) {}
+
+   /// Takes the norm of an iteration's residual, in tolerances.
+   void AddResidual(mfem::real_t norm);
+   /// Whether a new search would lead anywhere.
+   bool Allows() const;
+   /// Contact was searched anew.
+   void Restart();
+
+private:
+   NewtonTuning tuning;
+   int searches = 0;
+   /// Largest residuals after the last search and after the one before it, or
+   /// after the start of the solve.
+   mfem::real_t last = 0.0;
+   mfem::real_t before_last = 0.0;
+};
+
+} // namespace synovia
