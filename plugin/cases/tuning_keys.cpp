@@ -63,6 +63,9 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "final_accuracy", newton.final_accuracy,
        NumberRange::Inside(0.0, 1.0),
        "what linear systems may leave in the end, in tolerances");
+   Add(keys, "multiplier_compliance", newton.multiplier_compliance,
+       NumberRange::AtLeast(0.0),
+       "over this, penalties close gaps in the linear systems");
    Add(keys, "kept_tangent", newton.kept_tangent, NumberRange::From(0.0, 1e6),
        "what an iteration with the last tangent may be expected to leave, in "
        "tolerances; 0: all take new ones");

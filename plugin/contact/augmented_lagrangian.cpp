@@ -263,6 +263,24 @@ AugmentedLagrangian::FindMultiplierStep(const Vector &gap_change,
    return step;
 }
 
+void AugmentedLagrangian::AddSolved(const Vector &forces,
+                                    const Vector &outflows,
+                                    MultiplierStep &step) const
+{
+   const Vector &area = constraint.Coverage().area;
+   for (int j = 0; j < area.Size(); j++)
+   {
+      if (state.vertices[j].touches)
+      {
+         step.traction[j] += forces[j] / area[j];
+      }
+      if (Exchanges(j))
+      {
+         step.flux[j] += outflows[j] / area[j];
+      }
+   }
+}
+
 VectorByComponent AugmentedLagrangian::FindFrictionStep(const Vector &du,
                                                         const Vector &dp) const
 {

@@ -117,7 +117,11 @@ public:
    /// active set, to zero elsewhere.
    MultiplierStep FindMultiplierStep(const mfem::Vector &gap_change,
                                      const mfem::Vector &jump_change) const;
-   /// The same for friction, with a step of displacement and pressure (true
+   /// Adds what was solved for in the active set: area x traction (force), and
+   /// area x flux (volume / time).
+   void AddSolved(const mfem::Vector &forces, const mfem::Vector &outflows,
+                  MultiplierStep &step) const;
+   /// FindMultiplierStep() for friction, with a step of displacement and pressure (true
    /// dofs); empty without. Collective.
    VectorByComponent FindFrictionStep(const mfem::Vector &du,
                                       const mfem::Vector &dp) const;

@@ -44,6 +44,11 @@ struct ContactFactors
    /// W_p: area x penalty where a jump is to close, else 0 (volume / time /
    /// stress).
    const mfem::Vector *jump_weights = nullptr;
+   /// g and J p at the last state (length; stress), where multipliers may be
+   /// solved for; null where penalties alone close them in a Newton step, as
+   /// friction follows what they make of the gaps.
+   const mfem::Vector *gap_values = nullptr;
+   const mfem::Vector *jump_values = nullptr;
    /// Area x what the bodies resist (force / length): weights of gaps that are
    /// cut off there still hold the surfaces together, but no harder than the
    /// bodies themselves.

@@ -174,7 +174,9 @@ void ContactPair::AddForces(Vector &momentum, Vector &mass) const
 }
 
 MultiplierStep ContactPair::FindMultiplierStep(const Vector &du,
-                                               const Vector &dp) const
+                                               const Vector &dp,
+                                               const Vector &forces,
+                                               const Vector &outflows) const
 {
    const ContactFactors factors = constraint->Factors();
    Vector gap_change(factors.gap->Height());
@@ -189,6 +191,10 @@ MultiplierStep ContactPair::FindMultiplierStep(const Vector &du,
    jump_change.HostRead();
    MultiplierStep step =
       enforcement.FindMultiplierStep(gap_change, jump_change);
+   if (forces.Size() > 0)
+   {
+      enforcement.AddSolved(forces, outflows, step);
+   }
    step.friction = enforcement.FindFrictionStep(du, dp);
    return step;
 }
@@ -213,6 +219,11 @@ ContactFactors ContactPair::Factors() const
    factors.jump_weights = &State().jump_weights;
    factors.gap_resistance = &enforcement.Penalties().AreaResistance();
    const ContactFriction *friction = enforcement.Friction();
+   if (!friction)
+   {
+      factors.gap_values = &State().gap;
+      factors.jump_values = &State().jump;
+   }
    if (friction && friction->ForceChange())
    {
       factors.force_change = friction->ForceChange();

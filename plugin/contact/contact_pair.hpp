@@ -65,9 +65,13 @@ public:
    void AddMagnitudes(const mfem::Vector &u, const mfem::Vector &p,
                       mfem::Vector &momentum, mfem::Vector &mass) const;
    /// How the multipliers change by a Newton step of displacement and pressure
-   /// (true dofs). Collective.
+   /// (true dofs), beside the penalties by @a forces (area x traction) and
+   /// @a outflows (area x flux) of vertices, which are empty if these were not
+   /// solved for. Collective.
    MultiplierStep FindMultiplierStep(const mfem::Vector &du,
-                                     const mfem::Vector &dp) const;
+                                     const mfem::Vector &dp,
+                                     const mfem::Vector &forces,
+                                     const mfem::Vector &outflows) const;
    /// Of the linearized equations at the last UpdateActiveSet(). Searched.
    ContactFactors Factors() const;
 

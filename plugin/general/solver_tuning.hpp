@@ -66,6 +66,11 @@ struct NewtonTuning
    /// of the nonlinear tolerance. Near 1, the last iteration may fail to reach
    /// it.
    mfem::real_t final_accuracy = 0.3;
+   /// The linear systems of finite deformation close gaps, once the active set
+   /// rests, as penalties would that are 1 over this times as large. Smaller:
+   /// fewer Newton iterations, each of which takes more linear ones. 0: the
+   /// penalties close them.
+   mfem::real_t multiplier_compliance = 0.02;
    /// The last iteration of a solve keeps the tangents of bodies and contact:
    /// one that leaves at most this, in tolerances, if the residual falls as it
    /// did in the iteration before. Larger: fewer tangents, but more iterations.
@@ -133,9 +138,9 @@ struct FactorizationTuning
    int max_columns = 1000;
    /// A solve with old factors that takes more iterations than this renews
    /// them.
-   int stale_patience = 12;
+   int stale_patience = 15;
    /// The same after a search has changed partners of contact.
-   int moved_patience = 8;
+   int moved_patience = 15;
 };
 
 /// Of block AMG, and of FGMRES around any preconditioner.

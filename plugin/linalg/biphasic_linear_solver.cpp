@@ -115,9 +115,54 @@ BiphasicLinearSolver::Result
 BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
                             const ResidualTolerance &tolerance, real_t target)
 {
+   // In the scaled unknowns both equations have the tolerance of the momentum.
+   const real_t pressure_scale = tolerance.momentum / tolerance.mass;
+   const int pressure_begin = jacobian.Offsets()[1];
+   const ScaledOperator2x2 scaled(jacobian, pressure_begin, pressure_scale);
+   Vector right_side(b);
+   ScaleFrom(pressure_begin, pressure_scale, right_side);
+   const Result result = TryIterations(
+      [&]
+      {
+         ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
+                                            1.0 / pressure_scale);
+         return Iterate(scaled, scaled_preconditioner, right_side, x,
+                        target * tolerance.momentum);
+      });
+   ScaleFrom(pressure_begin, pressure_scale, x);
+   // Contact and loads are evaluated on the host.
+   x.HostReadWrite();
+   return result;
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
+                            MultiplierChanges &changes, real_t compliance,
+                            const ResidualTolerance &tolerance, real_t target)
+{
+   const MultiplierSystem system(
+      jacobian, tolerance.momentum / tolerance.mass, compliance);
+   const Vector right_side = system.RightSide(b);
+   Vector solution(right_side.Size());
+   solution = 0.0;
+   const Result result = TryIterations(
+      [&]
+      {
+         MultiplierPreconditioner system_preconditioner(system,
+                                                        *preconditioner);
+         return Iterate(system, system_preconditioner, right_side, solution,
+                        target * tolerance.momentum);
+      });
+   system.Unpack(solution, x, changes);
+   return result;
+}
+
+BiphasicLinearSolver::Result
+BiphasicLinearSolver::TryIterations(const std::function<Result()> &iterate)
+{
    try
    {
-      return Iterate(b, x, tolerance, target);
+      return iterate();
    }
    catch (const FactorizationError &error) // on all ranks alike
    {
@@ -130,26 +175,18 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
    }
 }
 
-BiphasicLinearSolver::Result
-BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
-                              const ResidualTolerance &tolerance, real_t target)
+BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
+   const Operator &system, Solver &system_preconditioner,
+   const Vector &right_side, Vector &x, real_t target)
 {
-   // In the scaled unknowns both equations have the tolerance of the momentum.
-   const real_t pressure_scale = tolerance.momentum / tolerance.mass;
-   const int pressure_begin = jacobian.Offsets()[1];
-   const ScaledOperator2x2 scaled(jacobian, pressure_begin, pressure_scale);
-   ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
-                                      1.0 / pressure_scale);
    FGMRESSolver solver(comm);
    solver.SetKDim(tuning.multigrid.restart);
    solver.SetRelTol(0.0);
-   solver.SetAbsTol(target * tolerance.momentum);
+   solver.SetAbsTol(target);
    solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
-   solver.SetOperator(scaled);
-   solver.SetPreconditioner(scaled_preconditioner);
+   solver.SetOperator(system);
+   solver.SetPreconditioner(system_preconditioner);
 
-   Vector right_side(b);
-   ScaleFrom(pressure_begin, pressure_scale, right_side);
    x = 0.0;
    Result result;
    bool again = true;
@@ -174,9 +211,6 @@ BiphasicLinearSolver::Iterate(const Vector &b, Vector &x,
       result.decades -= std::log10(attempt.reduction);
       again = preconditioner->Report(attempt);
    }
-   ScaleFrom(pressure_begin, pressure_scale, x);
-   // Contact and loads are evaluated on the host.
-   x.HostReadWrite();
    return result;
 }
 

@@ -3,7 +3,10 @@
 #include "synovia/general/solver_tuning.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
 #include "synovia/linalg/direct_solver.hpp"
+#include "synovia/linalg/multiplier_system.hpp"
 #include "synovia/linalg/work_counts.hpp"
+
+#include <functional>
 
 namespace synovia
 {
@@ -136,6 +139,13 @@ public:
    Result Solve(const mfem::Vector &b, mfem::Vector &x,
                 const ResidualTolerance &tolerance, mfem::real_t target);
 
+   /// The same with the multipliers of contact as unknowns, whose @a changes
+   /// are not those that the penalties make: see MultiplierSystem, with
+   /// @a compliance. Collective.
+   Result Solve(const mfem::Vector &b, mfem::Vector &x,
+                MultiplierChanges &changes, mfem::real_t compliance,
+                const ResidualTolerance &tolerance, mfem::real_t target);
+
    /// Those given, with the method that was chosen.
    const LinearOptions &Options() const { return options; }
    /// Work of the preconditioners since the start.
@@ -143,8 +153,13 @@ public:
 
 private:
    std::unique_ptr<BiphasicPreconditioner> MakePreconditioner() const;
-   Result Iterate(const mfem::Vector &b, mfem::Vector &x,
-                  const ResidualTolerance &tolerance, mfem::real_t target);
+   /// Calls @a iterate, and says why if a factorization fails.
+   Result TryIterations(const std::function<Result()> &iterate);
+   /// Solves @a system, from zero, to @a target.
+   Result Iterate(const mfem::Operator &system,
+                  mfem::Solver &system_preconditioner,
+                  const mfem::Vector &right_side, mfem::Vector &x,
+                  mfem::real_t target);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;

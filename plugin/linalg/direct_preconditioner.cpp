@@ -325,12 +325,21 @@ bool DirectPreconditioner::Follow(const std::vector<Change> &changes)
 int DirectPreconditioner::Patience() const
 {
    const int stale = moved ? tuning.moved_patience : tuning.stale_patience;
-   return fresh ? renew_after : std::min(renew_after, stale);
+   return fresh ? renew_after
+                : std::min(renew_after, stale + fresh_iterations - 1);
 }
 
 bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 {
-   extra_solves += std::max(0, attempt.iterations - 1);
+   const real_t decades = std::max(1.0, -std::log10(attempt.reduction));
+   if (fresh && attempt.converged)
+   {
+      fresh_iterations = std::max(1, attempt.iterations);
+      fresh_decades = decades;
+   }
+   const real_t usual =
+      std::max(1.0, fresh_iterations * decades / fresh_decades);
+   extra_solves += std::max(0.0, attempt.iterations - usual);
    const bool too_coarse =
       !attempt.converged && fresh && options.single_precision;
    if (too_coarse)

@@ -81,6 +81,11 @@ private:
    int renew_after;
    DirectOptions options;
    FactorizationTuning tuning;
+   /// Of the last solve with new factors: iterations, and decades by which the
+   /// residual fell.
+   int fresh_iterations = 1;
+   mfem::real_t fresh_decades = 1.0;
+   /// Iterations that old factors took beyond what new ones would have.
    mfem::real_t extra_solves = 0.0;
    bool outdated = true;
    bool fresh = false;

@@ -74,12 +74,33 @@ bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
                             const ResidualTolerance &tolerance,
                             BlockVector &step)
 {
+   return Finish(
+      [&] { return linear.Solve(residual, step, tolerance, target); }, step);
+}
+
+bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
+                            const ResidualTolerance &tolerance,
+                            real_t compliance, BlockVector &step,
+                            MultiplierChanges &changes)
+{
+   return Finish(
+      [&]
+      {
+         return linear.Solve(residual, step, changes, compliance, tolerance,
+                             target);
+      },
+      step);
+}
+
+bool NewtonDirection::Finish(
+   const std::function<BiphasicLinearSolver::Result()> &solve,
+   BlockVector &step)
+{
    SolveReport &report = record.report;
    const ProfiledPhase phase("iteration");
    StopWatch watch;
    watch.Start();
-   const BiphasicLinearSolver::Result result =
-      linear.Solve(residual, step, tolerance, target);
+   const BiphasicLinearSolver::Result result = solve();
    step.SyncToBlocks();
    record.times.setup += result.setup_seconds;
    record.times.linear += watch.RealTime() - result.setup_seconds;

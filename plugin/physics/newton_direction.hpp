@@ -34,9 +34,17 @@ public:
    /// of the @a tolerance; false if there is no such step.
    bool Solve(const mfem::BlockVector &residual, mfem::real_t target,
               const ResidualTolerance &tolerance, mfem::BlockVector &step);
+   /// The same with the multipliers as unknowns, whose @a changes come beside
+   /// those that the penalties make (MultiplierSystem).
+   bool Solve(const mfem::BlockVector &residual, mfem::real_t target,
+              const ResidualTolerance &tolerance, mfem::real_t compliance,
+              mfem::BlockVector &step, MultiplierChanges &changes);
 
 private:
    void LinearizeBodies(const BodyStage &stage);
+   /// Counts what @a solve takes to solve for @a step, and judges the latter.
+   bool Finish(const std::function<BiphasicLinearSolver::Result()> &solve,
+               mfem::BlockVector &step);
    /// Fails with the bodies that are loose as contact is now.
    bool FailSolve(const std::string &reason);
    /// Whether what a force or a moment moves would leave; fails if so.

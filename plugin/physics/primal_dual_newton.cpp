@@ -17,7 +17,10 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    ForcingTerm forcing(tuning.largest_forcing, tuning.forcing_factor);
    TangentRenewal renewal(tuning);
    SearchRule search(tuning);
+   // As it did in the last solve, until something changes.
+   set_rests = !set_has_changed;
    set_changed = false;
+   set_has_changed = false;
    has_stepped = false;
    largest_residual = 0.0;
    bool evaluated = false;
@@ -72,13 +75,14 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       {
          direction.KeepTangent();
       }
-      if (!direction.Solve(residual, target, tolerance, step) ||
-          !TakeStep(stage, tolerance))
+      if (!SolveSystem(target, tolerance) || !TakeStep(stage, tolerance))
       {
          return false;
       }
       has_stepped = true;
       set_changed = contact.Update(stage, ContactStiffness::bodies);
+      set_rests = !set_changed;
+      set_has_changed = set_has_changed || set_changed;
       evaluated = !set_changed;
       if (set_changed)
       {
@@ -87,6 +91,20 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       }
    }
    return contact.FailIterations(options.max_newton);
+}
+
+bool PrimalDualNewton::SolveSystem(real_t target,
+                                   const ResidualTolerance &tolerance)
+{
+   const real_t compliance = options.tuning.newton.multiplier_compliance;
+   // Multipliers of a set that changes are not worth the iterations.
+   if (set_rests && compliance > 0.0)
+   {
+      return direction.Solve(residual, target, tolerance, compliance, step,
+                             changes);
+   }
+   changes.Clear(contact.Pairs().size());
+   return direction.Solve(residual, target, tolerance, step);
 }
 
 void PrimalDualNewton::EvaluateBodies(const ImplicitStage &stage)
@@ -139,7 +157,9 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
    for (const ContactPair *pair : contact.Pairs())
    {
       multipliers.push_back(
-         pair->FindMultiplierStep(displacement, step.GetBlock(1)));
+         pair->FindMultiplierStep(displacement, step.GetBlock(1),
+                                  changes.forces[multipliers.size()],
+                                  changes.outflows[multipliers.size()]));
    }
    std::vector<TieMultipliers> tied;
    for (const TiedInterface *tie : contact.Interfaces())

@@ -32,6 +32,8 @@ public:
    bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) override;
 
 private:
+   /// Solves for step and changes with the present residual.
+   bool SolveSystem(mfem::real_t target, const ResidualTolerance &tolerance);
    /// Evaluates the bodies and their loads.
    void EvaluateBodies(const ImplicitStage &stage);
    /// Sets the residual with tractions of @a stiffness; returns its norm.
@@ -60,12 +62,18 @@ private:
    mfem::Vector mass_imbalance;
    mfem::BlockVector residual{spaces.Offsets()};
    mfem::BlockVector step{spaces.Offsets()};
+   /// Of the multipliers in the step, beside what the penalties make.
+   MultiplierChanges changes;
    /// Whether any step was taken in this solve.
    bool has_stepped = false;
    /// Of the line search in this solve, in tolerances.
    mfem::real_t largest_residual = 0.0;
    /// Whether the last decision changed the active set.
    bool set_changed = false;
+   /// Whether any did in this solve.
+   bool set_has_changed = true;
+   /// Whether the next one is likely to keep it.
+   bool set_rests = false;
    /// Whether the last step was taken as a whole.
    bool whole_step = true;
 };
