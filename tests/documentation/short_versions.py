@@ -135,6 +135,9 @@ class ShortCommand:
             raise DocumentationError(
                 f"{place}: no short version of '{self.program}' is known; "
                 "tests/documentation/short_versions.py lists them")
+        if self.program == "scripts/run" and "--np" not in arguments:
+            # Two of these run side by side, on as many cores.
+            options = [*options, ("--np", "1")]
         self.short = " ".join(with_options(words, options)
                               + ["--check"] * only_check)
 

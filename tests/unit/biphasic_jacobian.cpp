@@ -273,3 +273,72 @@ TEST_CASE("Contact with all its changes is solved by either method")
       CHECK(solver.Work().columns > 0);
    }
 }
+
+TEST_CASE("Multipliers that are solved for close gaps as larger penalties do")
+{
+   constexpr real_t compliance = 0.05;
+   const LinearMethod method =
+      GENERATE(LinearMethod::direct, LinearMethod::block_amg);
+   const Bodies bodies(2);
+   ComplexContact contact(bodies);
+   const ContactFactors &factors = contact.terms[0];
+   const Array<int> &offsets = bodies.spaces.Offsets();
+   const Array<int> u_dofs = bodies.Prescribed(bodies.spaces.Displacement());
+   const Array<int> p_dofs = bodies.Prescribed(bodies.spaces.Pressure());
+   BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(p_dofs);
+   LinearOptions options;
+   options.method = method;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   CAPTURE(static_cast<int>(method));
+   Vector b = bodies.Random(1);
+   SetToZero(u_dofs, 0, b);
+   SetToZero(p_dofs, offsets[1], b);
+   ResidualTolerance tolerance;
+   tolerance.momentum = 1e-10;
+   tolerance.mass = 2e-10;
+   Vector x(b.Size());
+   MultiplierChanges changes;
+   const BiphasicLinearSolver::Result result =
+      solver.Solve(b, x, changes, compliance, tolerance, 1.0);
+   CAPTURE(result.failure, result.iterations);
+   REQUIRE(result.converged);
+   CHECK(result.iterations <= 100);
+
+   // The multipliers are what these penalties make of the gaps and jumps.
+   const Vector u(x.GetData(), offsets[1]);
+   const Vector p(x.GetData() + offsets[1], offsets[2] - offsets[1]);
+   Vector forces(*factors.gap_values);
+   factors.gap_change->Mult(1.0, u, 1.0, forces);
+   forces *= *factors.gap_weights;
+   forces /= compliance;
+   Vector outflows(*factors.jump_values);
+   factors.jump->Mult(1.0, p, 1.0, outflows);
+   factors.jump_change->Mult(1.0, u, 1.0, outflows);
+   outflows *= *factors.jump_weights;
+   outflows /= compliance;
+   const real_t size = std::sqrt(bodies.Dot(forces, forces) +
+                                 bodies.Dot(outflows, outflows));
+   CHECK(size > 0.0);
+   forces -= changes.forces[0];
+   outflows -= changes.outflows[0];
+   CHECK(std::sqrt(bodies.Dot(forces, forces)) <= 1e-7 * size);
+   CHECK(std::sqrt(bodies.Dot(outflows, outflows)) <= 1e-7 * size);
+
+   // With what they do to the nodes, the equations hold.
+   Vector left(b.Size());
+   jacobian.Mult(x, left);
+   Vector nodal(offsets[1]);
+   factors.gap->MultTranspose(changes.forces[0], nodal);
+   nodal.SetSubVector(u_dofs, 0.0);
+   left.AddSubVector(nodal, 0);
+   Vector leaving(offsets[2] - offsets[1]);
+   factors.jump->MultTranspose(changes.outflows[0], leaving);
+   leaving *= -dt;
+   leaving.SetSubVector(p_dofs, 0.0);
+   left.AddSubVector(leaving, offsets[1]);
+   left -= b;
+   CHECK(std::sqrt(bodies.Dot(left, left)) <=
+         1e-8 * std::sqrt(bodies.Dot(b, b)));
+}

@@ -1,4 +1,4 @@
-// ranks: 1 2 3
+// ranks: 1 2
 // timeout: 300
 //
 // Confined and unconfined compression in finite deformation against references

@@ -1,4 +1,4 @@
-// ranks: 1 2
+// ranks: 2
 // timeout: 600
 //
 // A block with a round underside that is pressed into a layer and slides over

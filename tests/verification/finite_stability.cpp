@@ -1,4 +1,4 @@
-// ranks: 1 2 3
+// ranks: 1 2
 //
 // Stabilized elements of order 1 in finite deformation.
 //

@@ -1,4 +1,4 @@
-// ranks: 1 2 3
+// ranks: 1 2
 // timeout: 300
 //
 // Confined creep of a column whose sealed end slides on a plate, with Coulomb's

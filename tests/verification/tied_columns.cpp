@@ -1,4 +1,4 @@
-// ranks: 1 2 3
+// ranks: 1 2
 // timeout: 600
 //
 // Two columns of different permeability, glued on top of each other with meshes
