@@ -48,6 +48,10 @@ std::string StepText(int step, const StepReport &report)
       text << "  failed tries " << report.failures << ", inaccurate "
            << report.rejections;
    }
+   if (report.failures > 0)
+   {
+      text << "; last: " << report.last_failure;
+   }
    return text.str();
 }
 

@@ -316,6 +316,7 @@ StepReport TimeStepper::Step()
          op.RejectStep();
          again = control.Fail(report.dt);
          report.failures++;
+         report.last_failure = report.solve.reason;
          continue;
       }
       const StepControl::Verdict verdict = control.Judge(result.step);

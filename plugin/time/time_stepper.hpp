@@ -49,6 +49,8 @@ struct StepReport
    /// Attempts that did not converge, and attempts whose error was too large.
    int failures = 0;
    int rejections = 0;
+   /// Why the last of the former failed.
+   std::string last_failure;
    /// Implicit solves of all attempts.
    int solves = 0;
    /// Work of all attempts; that of the first step includes the work before

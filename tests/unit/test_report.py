@@ -39,7 +39,7 @@ displacement = [0, 0.02, {times = [0, 4], values = [0, -0.05]}]
 """
 LOG = """2026-01-01T10:00:00Z  synovia 0.1.0, MFEM 4.9.0 (release)
 2026-01-01T10:00:00Z  order 2, 1234 dofs on 2 ranks, set up in 0.1 s
-2026-01-01T10:00:01Z  step 1  t 1  dt 1  seconds 1  failed tries 2, inaccurate 1
+2026-01-01T10:00:01Z  step 1  t 1  dt 1  seconds 1  failed tries 2, inaccurate 1; last: the residual grows
 2026-01-01T10:00:02Z  step 2  t 2  dt 1  seconds 1  failed tries 1, inaccurate 0
 2026-01-01T10:00:03Z  stopped at t = 4; go on with --resume
 """
