@@ -83,6 +83,12 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "small_residual", newton.small_residual,
        NumberRange::From(0.0, 1.0),
        "the same, as a part of the solve's largest residual");
+   Add(keys, "first_sets", newton.first_sets, NumberRange::From(0, 1000),
+       "most active sets for which the first system of a solve without a "
+       "guess is solved");
+   Add(keys, "max_early_searches", newton.max_early_searches,
+       NumberRange::From(0, 1000),
+       "most new searches of contact while the active set changes");
    Add(keys, "max_searches", newton.max_searches, NumberRange::From(0, 1000),
        "most new searches of contact in one solve");
    Add(keys, "search_reduction", newton.search_reduction,

@@ -121,8 +121,8 @@ public:
    /// area x flux (volume / time).
    void AddSolved(const mfem::Vector &forces, const mfem::Vector &outflows,
                   MultiplierStep &step) const;
-   /// FindMultiplierStep() for friction, with a step of displacement and pressure (true
-   /// dofs); empty without. Collective.
+   /// FindMultiplierStep() for friction, with a step of displacement and
+   /// pressure (true dofs); empty without. Collective.
    VectorByComponent FindFrictionStep(const mfem::Vector &du,
                                       const mfem::Vector &dp) const;
    /// Adds a part of such a step.

@@ -92,8 +92,15 @@ struct NewtonTuning
    /// rest. Larger: fewer steps of time are cut for that, but what diverges
    /// near the end takes more iterations.
    mfem::real_t small_residual = 1e-4;
+   /// How often the first system of a solve without a first guess is solved for
+   /// other active sets: those to which it leads. Larger: a long first step
+   /// distorts the bodies less where they come into contact.
+   int first_sets = 10;
+   /// How often contact is searched anew with a change of the active set.
+   /// Larger: points near an edge may take the set to and fro with them.
+   int max_early_searches = 10;
    /// How often contact is searched anew in one solve because points have moved
-   /// on to other faces.
+   /// on to other faces, once it has converged.
    int max_searches = 3;
    /// A search is followed by another one if it upset the balance by less than
    /// this part of what the one before it did. Larger: points near an edge may

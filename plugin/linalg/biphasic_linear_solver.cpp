@@ -140,8 +140,8 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
                             MultiplierChanges &changes, real_t compliance,
                             const ResidualTolerance &tolerance, real_t target)
 {
-   const MultiplierSystem system(
-      jacobian, tolerance.momentum / tolerance.mass, compliance);
+   const MultiplierSystem system(jacobian, tolerance.momentum / tolerance.mass,
+                                 compliance);
    const Vector right_side = system.RightSide(b);
    Vector solution(right_side.Size());
    solution = 0.0;

@@ -75,7 +75,9 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       {
          direction.KeepTangent();
       }
-      if (!SolveSystem(target, tolerance) || !TakeStep(stage, tolerance))
+      if (!SolveSystem(target, tolerance) ||
+          (stage.from_start && !SettleFirstSet(stage, target, tolerance)) ||
+          !TakeStep(stage, tolerance))
       {
          return false;
       }
@@ -84,7 +86,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       set_rests = !set_changed;
       set_has_changed = set_has_changed || set_changed;
       evaluated = !set_changed;
-      if (set_changed)
+      if (set_changed && search.AllowsEarly())
       {
          // Points that have drifted would change a settled set once more.
          contact.SearchDrifted(stage, ContactStiffness::bodies);
@@ -105,6 +107,40 @@ bool PrimalDualNewton::SolveSystem(real_t target,
    }
    changes.Clear(contact.Pairs().size());
    return direction.Solve(residual, target, tolerance, step);
+}
+
+bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
+                                      const ResidualTolerance &tolerance)
+{
+   const int most = options.tuning.newton.first_sets;
+   bool changed = true;
+   for (int i = 0; i < most && changed; i++)
+   {
+      const Vector u(stage.u);
+      const Vector p(stage.p);
+      const RigidPoses poses(stage.poses);
+      const MultiplierSteps multipliers = FindMultiplierSteps();
+      Add(1.0, stage, multipliers);
+      equations.EvaluateContact(stage);
+      changed = contact.Update(stage, ContactStiffness::bodies);
+      Add(-1.0, stage, multipliers);
+      stage.u = u;
+      stage.p = p;
+      stage.poses = poses;
+      equations.UpdateDrainedDofs(stage);
+      if (changed)
+      {
+         EvaluateBodies(stage);
+         Assess(stage, ContactStiffness::penalty, tolerance);
+         contact.SetTractions(ContactStiffness::none);
+         direction.Linearize(stage);
+         if (!SolveSystem(target, tolerance))
+         {
+            return false;
+         }
+      }
+   }
+   return true;
 }
 
 void PrimalDualNewton::EvaluateBodies(const ImplicitStage &stage)
@@ -152,20 +188,7 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
                                 const ResidualTolerance &tolerance)
 {
    const real_t least_share = options.tuning.newton.shortest_step;
-   const Vector displacement = equations.DisplacementIn(step);
-   std::vector<MultiplierStep> multipliers;
-   for (const ContactPair *pair : contact.Pairs())
-   {
-      multipliers.push_back(
-         pair->FindMultiplierStep(displacement, step.GetBlock(1),
-                                  changes.forces[multipliers.size()],
-                                  changes.outflows[multipliers.size()]));
-   }
-   std::vector<TieMultipliers> tied;
-   for (const TiedInterface *tie : contact.Interfaces())
-   {
-      tied.push_back(tie->FindMultiplierStep(displacement, step.GetBlock(1)));
-   }
+   const MultiplierSteps multipliers = FindMultiplierSteps();
    // From the stage's start the step and the supports' increments go together,
    // and what there was is no measure for what there will be; nor is it where
    // tractions of friction are released or caught.
@@ -178,30 +201,50 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
       largest_residual = std::max(largest_residual, limit);
    }
    stage.from_start = false;
-   Add(1.0, stage, multipliers, tied);
+   Add(1.0, stage, multipliers);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
    whole_step = obstacle.empty();
    for (real_t share = 0.5;
         !obstacle.empty() && !from_start && share >= least_share; share *= 0.5)
    {
-      Add(-share, stage, multipliers, tied);
+      Add(-share, stage, multipliers);
       obstacle = FindObstacle(stage, limit, tolerance);
    }
    return obstacle.empty() || record.report.Fail(obstacle);
 }
 
+PrimalDualNewton::MultiplierSteps PrimalDualNewton::FindMultiplierSteps() const
+{
+   const Vector displacement = equations.DisplacementIn(step);
+   MultiplierSteps steps;
+   for (const ContactPair *pair : contact.Pairs())
+   {
+      const std::size_t term = steps.pairs.size();
+      steps.pairs.push_back(pair->FindMultiplierStep(
+         displacement, step.GetBlock(1), changes.forces[term],
+         changes.outflows[term]));
+   }
+   for (const TiedInterface *tie : contact.Interfaces())
+   {
+      steps.interfaces.push_back(
+         tie->FindMultiplierStep(displacement, step.GetBlock(1)));
+   }
+   return steps;
+}
+
 void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
-                           const std::vector<MultiplierStep> &multipliers,
-                           const std::vector<TieMultipliers> &tied)
+                           const MultiplierSteps &multipliers)
 {
    equations.Add(share, step, stage);
-   for (std::size_t i = 0; i < multipliers.size(); i++)
+   for (std::size_t i = 0; i < multipliers.pairs.size(); i++)
    {
-      contact.Pairs()[i]->Enforcement().AddToMultipliers(share, multipliers[i]);
+      contact.Pairs()[i]->Enforcement().AddToMultipliers(share,
+                                                         multipliers.pairs[i]);
    }
-   for (std::size_t i = 0; i < tied.size(); i++)
+   for (std::size_t i = 0; i < multipliers.interfaces.size(); i++)
    {
-      contact.Interfaces()[i]->AddToMultipliers(share, tied[i]);
+      contact.Interfaces()[i]->AddToMultipliers(share,
+                                                multipliers.interfaces[i]);
    }
 }
 

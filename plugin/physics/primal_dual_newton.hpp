@@ -32,8 +32,20 @@ public:
    bool Solve(ImplicitStage &stage, ResidualTolerance &tolerance) override;
 
 private:
+   /// Of the pairs and of the tied interfaces, in order.
+   struct MultiplierSteps
+   {
+      std::vector<MultiplierStep> pairs;
+      std::vector<TieMultipliers> interfaces;
+   };
+
    /// Solves for step and changes with the present residual.
    bool SolveSystem(mfem::real_t target, const ResidualTolerance &tolerance);
+   /// From the start of a stage, solves again with the active set that the step
+   /// leads to, until it rests: few vertices would bear all of a first contact
+   /// else, and the bodies would be too distorted around them to go on from.
+   bool SettleFirstSet(ImplicitStage &stage, mfem::real_t target,
+                       const ResidualTolerance &tolerance);
    /// Evaluates the bodies and their loads.
    void EvaluateBodies(const ImplicitStage &stage);
    /// Sets the residual with tractions of @a stiffness; returns its norm.
@@ -46,9 +58,10 @@ private:
    /// Adds as much of the Newton step as the bodies can take and as doesn't
    /// make the residual grow; fails if that is next to nothing.
    bool TakeStep(ImplicitStage &stage, const ResidualTolerance &tolerance);
+   MultiplierSteps FindMultiplierSteps() const;
+   /// Adds a part of the step, and of the multipliers'.
    void Add(mfem::real_t share, ImplicitStage &stage,
-            const std::vector<MultiplierStep> &multipliers,
-            const std::vector<TieMultipliers> &tied);
+            const MultiplierSteps &multipliers);
    /// Why the state can't follow one whose residual had this norm; empty if it
    /// can.
    std::string FindObstacle(const ImplicitStage &stage, mfem::real_t norm,

@@ -12,6 +12,11 @@ void SearchRule::AddResidual(real_t norm)
    last = std::max(last, norm);
 }
 
+bool SearchRule::AllowsEarly()
+{
+   return searches == 0 && early_searches++ < tuning.max_early_searches;
+}
+
 bool SearchRule::Allows() const
 {
    return searches < tuning.max_searches &&

@@ -5,11 +5,11 @@
 namespace synovia
 {
 
-/// When Newton's method searches contact anew within a solve, once it has
-/// converged with the partners there are: NewtonTuning::max_searches times at
-/// most, and no more where searches undo each other, as for points near an
-/// edge, which go back and forth: where a search upset the balance nearly as
-/// much as the one before it.
+/// When Newton's method searches contact anew within a solve: while the active
+/// set changes, in the first iterations, and once it has converged with the
+/// partners there are, NewtonTuning::max_searches times at most. No more where
+/// searches undo each other, as for points near an edge, which go back and
+/// forth: where a search upset the balance nearly as much as the one before it.
 class SearchRule
 {
 public:
@@ -17,13 +17,17 @@ public:
 
    /// Takes the norm of an iteration's residual, in tolerances.
    void AddResidual(mfem::real_t norm);
-   /// Whether a new search would lead anywhere.
+   /// Whether a set that has changed may be searched for at once; to be asked
+   /// once for each change.
+   bool AllowsEarly();
+   /// Whether a new search would lead anywhere, upon convergence.
    bool Allows() const;
    /// Contact was searched anew.
    void Restart();
 
 private:
    NewtonTuning tuning;
+   int early_searches = 0;
    int searches = 0;
    /// Largest residuals after the last search and after the one before it, or
    /// after the start of the solve.

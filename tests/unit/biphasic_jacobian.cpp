@@ -318,8 +318,8 @@ TEST_CASE("Multipliers that are solved for close gaps as larger penalties do")
    factors.jump_change->Mult(1.0, u, 1.0, outflows);
    outflows *= *factors.jump_weights;
    outflows /= compliance;
-   const real_t size = std::sqrt(bodies.Dot(forces, forces) +
-                                 bodies.Dot(outflows, outflows));
+   const real_t size =
+      std::sqrt(bodies.Dot(forces, forces) + bodies.Dot(outflows, outflows));
    CHECK(size > 0.0);
    forces -= changes.forces[0];
    outflows -= changes.outflows[0];

@@ -93,3 +93,16 @@ TEST_CASE("Without searches contact is searched only with the step")
    rule.AddResidual(1e6);
    CHECK_FALSE(rule.Allows());
 }
+
+TEST_CASE("The first changes of the active set are searched for at once")
+{
+   NewtonTuning tuning;
+   tuning.max_early_searches = 2;
+   SearchRule rule(tuning);
+   CHECK(rule.AllowsEarly());
+   CHECK(rule.AllowsEarly());
+   CHECK_FALSE(rule.AllowsEarly());
+   SearchRule other(tuning);
+   other.Restart();
+   CHECK_FALSE(other.AllowsEarly());
+}
