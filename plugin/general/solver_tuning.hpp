@@ -95,7 +95,7 @@ struct NewtonTuning
    /// How often the first system of a solve without a first guess is solved for
    /// other active sets: those to which it leads. Larger: a long first step
    /// distorts the bodies less where they come into contact.
-   int first_sets = 10;
+   int max_first_sets = 10;
    /// How often contact is searched anew with a change of the active set.
    /// Larger: points near an edge may take the set to and fro with them.
    int max_early_searches = 10;

@@ -112,7 +112,7 @@ bool PrimalDualNewton::SolveSystem(real_t target,
 bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
                                       const ResidualTolerance &tolerance)
 {
-   const int most = options.tuning.newton.first_sets;
+   const int most = options.tuning.newton.max_first_sets;
    bool changed = true;
    for (int i = 0; i < most && changed; i++)
    {
