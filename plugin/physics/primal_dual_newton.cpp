@@ -112,7 +112,9 @@ bool PrimalDualNewton::SolveSystem(real_t target,
 bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
                                       const ResidualTolerance &tolerance)
 {
-   const int most = options.tuning.newton.max_first_sets;
+   // Slip that a linear system predicts is none.
+   const int most =
+      contact.HasFriction() ? 0 : options.tuning.newton.max_first_sets;
    bool changed = true;
    for (int i = 0; i < most && changed; i++)
    {
