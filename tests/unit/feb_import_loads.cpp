@@ -123,3 +123,71 @@ TEST_CASE("Body loads are forces per mass the other way round")
    CHECK(ImportFeb(Replaced(text, "<density>2", "<density>-2"), "model.feb")
             .report.IsStopped());
 }
+
+namespace
+{
+// What a load on the top of the column becomes, which has this condition there.
+FebImport Loaded(const std::string &load, const std::string &condition)
+{
+   std::string text = FebColumn();
+   const size_t begin = text.find("\t<Loads>");
+   const size_t end = text.find("\t<LoadData>");
+   text = text.substr(0, begin) + "<Loads>" + load + "</Loads>\n" +
+          text.substr(end);
+   return ImportFeb(Replaced(text,
+                             "<bc name=\"drained\" node_set=\"@surface:top\" "
+                             "type=\"zero fluid pressure\"/>",
+                             condition),
+                    "model.feb");
+}
+
+const BoundaryCase &LastOf(const FebImport &import)
+{
+   REQUIRE(import.report.Text(Fate::unsupported) == "");
+   CheckCase(import.setup);
+   return import.setup.boundaries.back();
+}
+} // namespace
+
+TEST_CASE("Loads on surfaces have their signs")
+{
+   const auto on_top = [](const std::string &type, const std::string &rest)
+   {
+      return "<surface_load surface=\"top\" type=\"" + type + "\">" + rest +
+             "</surface_load>";
+   };
+   // lc 1 is 2 from t = 1 on.
+   const FebImport vector =
+      Loaded(on_top("traction", "<scale lc=\"1\">0.5</scale>"
+                                "<traction>1,2,-3</traction>"),
+             "");
+   CHECK((*LastOf(vector).traction)[1](1.0) == Approx(2.0));
+   CHECK((*LastOf(vector).traction)[2](1.0) == Approx(-3.0));
+   CHECK(vector.report.Text(Fate::approximated).find("per undeformed area") !=
+         std::string::npos);
+   CHECK((*LastOf(Loaded(on_top("pressure", "<pressure>0.4</pressure>"), ""))
+              .normal_traction)(1.0) == Approx(-0.4));
+   CHECK((*LastOf(Loaded(on_top("fluidflux", "<flux>-0.1</flux>"
+                                             "<mixture>0</mixture>"),
+                         ""))
+              .normal_flux)(1.0) == Approx(-0.1));
+   CHECK((*LastOf(Loaded(on_top("fluidflux", "<flux>-0.1</flux>"
+                                             "<mixture>1</mixture>"),
+                         ""))
+              .mixture_flux)(1.0) == Approx(-0.1));
+   const std::string effective = on_top(
+      "normal_traction", "<traction>-0.3</traction><effective>1</effective>");
+   CHECK((*LastOf(Loaded(effective, "")).effective_traction)(1.0) ==
+         Approx(-0.3));
+   // The pressure that is prescribed there adds.
+   CHECK((*LastOf(Loaded(effective, "<bc node_set=\"@surface:top\" "
+                                    "type=\"prescribed fluid pressure\">"
+                                    "<value lc=\"1\">0.2</value></bc>"))
+              .normal_traction)(1.0) == Approx(-0.7));
+   const FebImport nodal =
+      Loaded("<nodal_load node_set=\"bottom\" type=\"nodal fluidflux\">"
+             "<value>0.05</value></nodal_load>",
+             "");
+   // A quarter of the area at each node.
+   CHECK((*LastOf(nodal).normal_flux)(1.0) == Approx(0.2));
+}

@@ -68,6 +68,39 @@ TEST_CASE("A rigid spring joins two rigid bodies")
             .find("there are rigid spring") != std::string::npos);
 }
 
+TEST_CASE("Freedoms of rigid bodies are fixed, prescribed and loaded")
+{
+   const auto entry = [](const std::string &element, const std::string &type,
+                         const std::string &dof, const std::string &value)
+   {
+      return "<" + element + " type=\"" + type + "\"><rb>platen</rb><dof>" +
+             dof + "</dof><value lc=\"1\">" + value + "</value></" + element +
+             ">";
+   };
+   const FebImport import =
+      Connected("<rigid_bc type=\"rigid_fixed\"><rb>2</rb><Rx_dof>1</Rx_dof>"
+                "<Rv_dof>1</Rv_dof></rigid_bc>" +
+                entry("rigid_bc", "rigid_displacement", "z", "-0.1") +
+                entry("rigid_bc", "rigid_rotation", "Ru", "0.2") +
+                entry("rigid_load", "rigid_force", "Ry", "3") +
+                entry("rigid_load", "rigid_moment", "Rw", "4"));
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CheckCase(import.setup);
+   REQUIRE(import.setup.rigid_bodies.size() == 2);
+   const RigidBodyCase &body = import.setup.rigid_bodies[0];
+   CHECK(body.name == "platen");
+   CHECK(*body.reference == Point3{{0.5, 0.5, 2.0}});
+   CHECK(body.translation[0]->IsZero());
+   CHECK_FALSE(body.translation[1]);
+   // lc 1 is 2 from t = 1 on.
+   CHECK((*body.translation[2])(2.0) == Approx(-0.2));
+   CHECK((*body.rotation[0])(2.0) == Approx(0.4));
+   CHECK(body.rotation[1]->IsZero());
+   CHECK_FALSE(body.rotation[2]);
+   CHECK((*body.force)[1](2.0) == Approx(6.0));
+   CHECK((*body.moment)[2](2.0) == Approx(8.0));
+}
+
 TEST_CASE("Joints of rigid bodies hold what they don't leave free")
 {
    const auto with = [](const std::string &type, const std::string &rest)
