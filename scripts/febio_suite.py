@@ -174,7 +174,8 @@ def compare(model: pathlib.Path, output: pathlib.Path,
            for row in read_csv(reference / "final_nodes.csv")}
     found["nodes"] = largest_difference(
         (row[axis], float(end[number][axis]))
-        for number, row in last.items() for axis in ("ux", "uy", "uz"))
+        for number, row in last.items() if number in end
+        for axis in ("ux", "uy", "uz"))
     return {what: value for what, value in found.items() if value is not None}
 
 

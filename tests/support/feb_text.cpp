@@ -268,6 +268,10 @@ std::string FebSteppedColumn()
 			<z_dof>0</z_dof>
 		</bc>)",
        ""},
+      {R"(<rb>plate</rb><Rx_dof>1</Rx_dof>
+			<Ry_dof>1</Ry_dof>)",
+       R"(<rb>post</rb><Rx_dof>1</Rx_dof>
+			<Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof>)"},
       {"\t</Rigid>",
        R"(		<rigid_connector name="guide" type="rigid prismatic joint">
 			<body_a>post</body_a><body_b>plate</body_b>
