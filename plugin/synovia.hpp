@@ -43,6 +43,7 @@
 #include "synovia/materials/solids/prlig.hpp"
 #include "synovia/materials/solids/saint_venant_kirchhoff.hpp"
 #include "synovia/materials/solids/solid_mixture.hpp"
+#include "synovia/materials/solids/trans_iso_mooney_rivlin.hpp"
 #include "synovia/materials/solids/transversely_isotropic.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 #include "synovia/mesh/surface_center.hpp"

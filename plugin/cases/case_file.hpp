@@ -271,7 +271,8 @@ struct StepCase
    std::optional<bool> adaptive{};
    mfem::real_t min_step = 0.0;
    mfem::real_t max_step = 0.0;
-   /// Names of boundaries and contact pairs that end when it begins.
+   /// Names of boundaries, ligaments, contact pairs and ties that end when it
+   /// begins.
    std::vector<std::string> release{};
    /// Each replaces the entry of the same name as a whole; without surfaces it
    /// keeps the surfaces of that entry.

@@ -238,7 +238,7 @@ KeyTable StepKeys(StepCase &step)
              "is longer");
    keys.Value(
       "release", step.release, "",
-      "names of boundaries, ligaments and contact pairs that end when it "
+      "names of boundaries, ligaments, contact pairs and ties that end when it "
       "begins");
    keys.List<BoundaryCase>("boundary", step.boundaries, StepBoundaryKeys,
                            "from this step on; times count from its beginning");

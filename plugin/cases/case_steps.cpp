@@ -77,7 +77,8 @@ public:
         boundaries("boundary", setup.boundaries),
         rigid_bodies("rigid_body", setup.rigid_bodies),
         ligaments("ligament", setup.ligaments),
-        contacts("contact", setup.contacts), standard(setup)
+        contacts("contact", setup.contacts), ties("tie", setup.ties),
+        standard(setup)
    {
       standard.steps.clear();
       for (LineCase &line : standard.output.lines)
@@ -121,7 +122,7 @@ private:
          const bool body = rigid_bodies.Find(name) != nullptr;
          std::vector<std::string> known = boundaries.Names();
          for (const std::vector<std::string> &more :
-              {ligaments.Names(), contacts.Names()})
+              {ligaments.Names(), contacts.Names(), ties.Names()})
          {
             known.insert(known.end(), more.begin(), more.end());
          }
@@ -131,16 +132,17 @@ private:
                             " is a rigid body, which is never released; give "
                             "its freedoms anew in [[step.rigid_body]]");
          reading.Require(count > 0, here,
-                         "no boundary, ligament or contact pair that holds is "
-                         "called " +
+                         "no boundary, ligament, contact pair or tie that "
+                         "holds is called " +
                             Quoted(name) + DidYouMean(name, known));
          reading.Require(count < 2, here,
-                         "several of boundaries, ligaments and contact pairs "
-                         "are called " +
+                         "several of boundaries, ligaments, contact pairs and "
+                         "ties are called " +
                             Quoted(name) + "; rename all but one of them");
          boundaries.Remove(name);
          ligaments.Remove(name);
          contacts.Remove(name);
+         ties.Remove(name);
       }
    }
 
@@ -185,8 +187,9 @@ private:
       filled.rigid_bodies = rigid_bodies.Entries();
       filled.ligaments = ligaments.Entries();
       filled.contacts = contacts.Entries();
+      filled.ties = ties.Entries();
       for (const char *list :
-           {"boundary", "rigid_body", "ligament", "contact", "step"})
+           {"boundary", "rigid_body", "ligament", "contact", "tie", "step"})
       {
          const std::string above = std::string(list) + ".";
          const std::string below = std::string(list) + "/";
@@ -197,6 +200,7 @@ private:
       rigid_bodies.AddPlaces(setup.places, filled.places);
       ligaments.AddPlaces(setup.places, filled.places);
       contacts.AddPlaces(setup.places, filled.places);
+      ties.AddPlaces(setup.places, filled.places);
       TimeOptions &time = filled.time;
       time.adaptive = step.adaptive.value_or(time.adaptive);
       if (step.step > 0.0)
@@ -219,6 +223,7 @@ private:
    ConditionsInForce<RigidBodyCase> rigid_bodies;
    ConditionsInForce<Ligament> ligaments;
    ConditionsInForce<ContactCase> contacts;
+   ConditionsInForce<TieCase> ties;
    CaseFile standard;
    real_t begin = 0.0;
 };

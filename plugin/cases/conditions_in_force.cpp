@@ -28,6 +28,11 @@ std::string NameOf(const ContactCase &contact)
    return contact.Name();
 }
 
+std::string NameOf(const TieCase &tie)
+{
+   return tie.Name();
+}
+
 template <typename Items>
 auto FindIn(Items &items, const std::string &name)
 {
@@ -132,5 +137,6 @@ template class ConditionsInForce<BoundaryCase>;
 template class ConditionsInForce<RigidBodyCase>;
 template class ConditionsInForce<Ligament>;
 template class ConditionsInForce<ContactCase>;
+template class ConditionsInForce<TieCase>;
 
 } // namespace synovia

@@ -1,4 +1,5 @@
 #include "synovia/feb/feb_axes.hpp"
+#include "synovia/feb/feb_directions.hpp"
 
 #include <cmath>
 
@@ -9,101 +10,169 @@ using namespace mfem;
 
 namespace
 {
-constexpr real_t degree = 0.017453292519943295;
-
-Point3 ReadVector(const FebInput &from)
+Tensor3<> AxesFromAngles(real_t theta, real_t phi)
 {
-   const std::vector<real_t> x = from.Numbers();
-   if (x.size() != 3)
-   {
-      from.Stop("a vector has three components");
-      return {1.0, 0.0, 0.0};
-   }
-   return {x[0], x[1], x[2]};
-}
-
-Point3 ReadVector(const FebInput &from, const std::string &child,
-                  const Point3 &standard)
-{
-   const std::optional<FebInput> found = from.Find(child);
-   return found ? ReadVector(*found) : standard;
-}
-
-// The vector of length 1, or the first axis and an error.
-Point3 Direction(const Point3 &vector, const FebInput &where)
-{
-   const real_t length = Length(vector);
-   if (!(length > 0.0))
-   {
-      where.Stop("the direction is zero");
-      return {1.0, 0.0, 0.0};
-   }
-   return {vector[0] / length, vector[1] / length, vector[2] / length};
-}
-
-// theta from the first axis towards the second, phi from the third, in degrees.
-Point3 FromAngles(const FebInput &from)
-{
-   const real_t theta = degree * from.Number("theta", 0.0);
-   const real_t phi = degree * from.Number("phi", 90.0);
-   return {std::cos(theta) * std::sin(phi), std::sin(theta) * std::sin(phi),
-           std::cos(phi)};
-}
-} // namespace
-
-Tensor3<> ReadAxes(const FebInput &material)
-{
-   Tensor3<> axes{};
+   const Point3 a = FromAngles(theta, phi);
+   const Point3 b = FromAngles(theta + 90.0, 90.0);
+   const Point3 c = Cross(a, b);
+   Tensor3<> axes;
    for (int i = 0; i < 3; i++)
    {
-      axes[i][i] = 1.0;
-   }
-   const std::optional<FebInput> from = material.Find("mat_axis");
-   if (!from)
-   {
-      return axes;
-   }
-   const std::string type = from->NeededAttribute("type");
-   if (type != "vector")
-   {
-      from->Stop("material axes of the type \"" + type +
-                 "\" are not known; there is vector");
-      return axes;
-   }
-   const Point3 first =
-      Direction(ReadVector(*from, "a", {1.0, 0.0, 0.0}), *from);
-   const Point3 third =
-      Direction(Cross(first, ReadVector(*from, "d", {0.0, 1.0, 0.0})), *from);
-   const Point3 second = Cross(third, first);
-   for (int i = 0; i < 3; i++)
-   {
-      axes[i][0] = first[i];
-      axes[i][1] = second[i];
-      axes[i][2] = third[i];
+      axes[i][0] = a[i];
+      axes[i][1] = b[i];
+      axes[i][2] = c[i];
    }
    return axes;
 }
 
-Point3 ReadFiber(const FebInput &law)
+// What is parallel to the first axis is no second one.
+Point3 Beside(const Point3 &first, const Point3 &second, const Point3 &other,
+              real_t parallel)
 {
-   const std::optional<FebInput> from = law.Find("fiber");
+   return std::abs(Dot(first, second)) > parallel ? other : second;
+}
+
+FebAxes LocalAxes(const FebInput &from, const FebElements &elements)
+{
+   std::vector<long long> nodes = LocalNodes(from, 3, elements);
+   FebAxes result;
+   if (nodes.empty())
+   {
+      return result;
+   }
+   if (nodes[0] <= 0 && nodes[1] <= 0 && nodes[2] <= 0)
+   {
+      nodes = {1, 2, 4};
+   }
+   if (nodes[0] <= 0 || nodes[1] <= 0)
+   {
+      from.Stop("the first two nodes must be there");
+      return result;
+   }
+   const FebMesh &mesh = elements.mesh;
+   result.of_element = [nodes, &mesh, from](const FebCell &cell, int)
+   {
+      const auto at = [&](long long n)
+      { return mesh.nodes[cell.nodes[n - 1]]; };
+      constexpr real_t parallel = 0.999;
+      const Point3 a = UnitVector(Sum(at(nodes[1]), -1.0, at(nodes[0])), from);
+      const Point3 d = nodes[2] > 0 && nodes[2] != nodes[1]
+                          ? Sum(at(nodes[2]), -1.0, at(nodes[0]))
+                          : Beside(a, y_axis, x_axis, parallel);
+      return AxesAcross(a, d, from);
+   };
+   return result;
+}
+
+constexpr real_t almost_parallel = 0.99;
+
+// In axes of its own.
+Tensor3<> AxesWith(const Point3 &vector, const FebInput &from)
+{
+   return AxesAcross(vector, Beside(vector, y_axis, z_axis, almost_parallel),
+                     from);
+}
+
+FebAxes CylindricalAxes(const FebInput &from, const FebElements &elements)
+{
+   const Point3 center = VectorIn(from, "center", {{0.0, 0.0, 0.0}});
+   const Point3 axis = DirectionIn(from, "axis", z_axis);
+   const Point3 vector = DirectionIn(from, "vector", x_axis);
+   FebAxes result;
+   result.axes = AxesWith(vector, from);
+   if (IsAlongZ(axis))
+   {
+      result.cylinder = CylinderAlongZ(center);
+   }
+   result.at_centers = true;
+   result.of_element = [=](const FebCell &cell, int part)
+   {
+      const Point3 outward =
+         UnitVector(FromAxis(elements.Center(cell, part), center, axis), from);
+      Tensor3<> turned;
+      for (int j = 0; j < 3; j++)
+      {
+         const Point3 column =
+            Turned(x_axis, outward,
+                   {result.axes[0][j], result.axes[1][j], result.axes[2][j]});
+         for (int i = 0; i < 3; i++)
+         {
+            turned[i][j] = column[i];
+         }
+      }
+      return turned;
+   };
+   return result;
+}
+
+FebAxes SphericalAxes(const FebInput &from, const FebElements &elements)
+{
+   const Point3 center = VectorIn(from, "center", {{0.0, 0.0, 0.0}});
+   const Point3 vector = DirectionIn(from, "vector", x_axis);
+   FebAxes result;
+   result.at_centers = true;
+   result.of_element = [=](const FebCell &cell, int part)
+   {
+      const Point3 outward =
+         UnitVector(Sum(elements.Center(cell, part), -1.0, center), from);
+      return AxesWith(Turned(x_axis, outward, vector), from);
+   };
+   return result;
+}
+
+FebAxes UniformAxes(const Tensor3<> &axes)
+{
+   FebAxes result;
+   result.axes = axes;
+   return result;
+}
+} // namespace
+
+FebAxes ReadAxes(const FebInput &material, const FebElements &elements)
+{
+   const FebAxes of_space = UniformAxes(IdentityTensor());
+   if (elements.AreIn(elements.data.axes))
+   {
+      FebAxes result;
+      result.of_element = [&data = elements.data](const FebCell &cell, int)
+      {
+         const auto found = data.axes.find(cell.number);
+         return found == data.axes.end() ? IdentityTensor() : found->second;
+      };
+      return result;
+   }
+   const std::optional<FebInput> from = material.Find("mat_axis");
    if (!from)
    {
-      return {1.0, 0.0, 0.0};
+      return of_space;
    }
    const std::string type = from->NeededAttribute("type");
-   if (type == "angles")
-   {
-      return FromAngles(*from);
-   }
    if (type == "vector")
    {
-      const std::optional<FebInput> inner = from->Find("vector");
-      return Direction(ReadVector(inner ? *inner : *from), *from);
+      return UniformAxes(AxesAcross(VectorIn(*from, "a", x_axis),
+                                    VectorIn(*from, "d", y_axis), *from));
    }
-   from->Stop("fibers of the type \"" + type +
-              "\" are not known; there are angles and vector");
-   return {1.0, 0.0, 0.0};
+   if (type == "angles")
+   {
+      return UniformAxes(
+         AxesFromAngles(from->Number("theta", 0.0), from->Number("phi", 90.0)));
+   }
+   if (type == "local")
+   {
+      return LocalAxes(*from, elements);
+   }
+   if (type == "cylindrical")
+   {
+      return CylindricalAxes(*from, elements);
+   }
+   if (type == "spherical")
+   {
+      return SphericalAxes(*from, elements);
+   }
+   from->StopAll("material axes of the type \"" + type +
+                 "\" are not known; there are vector, angles, local, "
+                 "cylindrical, spherical");
+   return of_space;
 }
 
 } // namespace synovia

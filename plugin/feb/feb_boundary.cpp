@@ -17,11 +17,13 @@ int Component(const std::string &dof)
    return dof == "x" ? 0 : dof == "y" ? 1 : dof == "z" ? 2 : -1;
 }
 
+// Relative to what there is when a step begins, or not.
 void Displace(const std::string &surface, int component, const LoadCurve &value,
-              FebModel &model)
+              bool relative, FebModel &model)
 {
    BoundaryCase boundary;
    boundary.surfaces = {surface};
+   boundary.relative = relative && model.in_step;
    boundary.displacement[component] = value;
    model.setup.boundaries.push_back(boundary);
 }
@@ -34,10 +36,19 @@ void Press(const std::string &surface, const LoadCurve &value, FebModel &model)
    model.setup.boundaries.push_back(boundary);
 }
 
+void VerifyPressure(const FebInput &where, bool relative, const FebModel &model)
+{
+   if (relative && model.in_step)
+   {
+      where.Stop("pressures relative to those before are not known");
+   }
+}
+
 // What dofs say, such as x,y,z or p.
 void Prescribe(const FebInput &where, const std::string &surface,
                const std::string &dofs, const LoadCurve &value, FebModel &model)
 {
+   const bool relative = where.Flag("relative", false);
    std::string word;
    for (const char c : dofs + ",")
    {
@@ -49,10 +60,11 @@ void Prescribe(const FebInput &where, const std::string &surface,
       if (word == "p")
       {
          Press(surface, value, model);
+         VerifyPressure(where, relative, model);
       }
       else if (Component(word) >= 0)
       {
-         Displace(surface, Component(word), value, model);
+         Displace(surface, Component(word), value, relative, model);
       }
       else if (!word.empty())
       {
@@ -202,8 +214,6 @@ void ReadCondition(const FebInput &condition, const FebInput &section,
                         "prescribed fluid pressure, rigid");
       return;
    }
-   condition.Expect("relative", false,
-                    "values relative to those at the start are not known");
    const std::string set = condition.NeededAttribute("node_set");
    const std::vector<int> *of_set = model.surfaces->FindNodes(set);
    if (has({"rigid"}) && of_set && model.AreRigid(*of_set))
@@ -241,6 +251,7 @@ void ReadCondition(const FebInput &condition, const FebInput &section,
       model.pressures.emplace_back(std::set<int>(nodes.begin(), nodes.end()),
                                    value.value_or(LoadCurve(0.0)));
       Press(surface, value.value_or(LoadCurve(0.0)), model);
+      VerifyPressure(condition, condition.Flag("relative", false), model);
    }
    else
    {
@@ -264,8 +275,6 @@ void ReadFormerCondition(const FebInput &condition, FebModel &model)
    LoadCurve value(0.0);
    if (condition.Name() == "prescribe")
    {
-      condition.Expect("relative", false,
-                       "values relative to those at the start are not known");
       value = model.Value(condition, "scale");
    }
    if (!surface.empty())

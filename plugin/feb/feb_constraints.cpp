@@ -1,5 +1,7 @@
+#include "synovia/feb/feb_element_data.hpp"
 #include "synovia/feb/feb_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace synovia
@@ -9,35 +11,26 @@ using namespace mfem;
 
 namespace
 {
-// Relative to the size of the surface.
-constexpr real_t flat = 1e-9;
-
-// The axis that all points have the same coordinate along; -1 if there is none.
-int FlatAxis(const std::vector<Point3> &points)
+// Nothing moves across a plane.
+void HoldAcross(const Point3 &normal, const std::string &surface,
+                FebModel &model)
 {
-   Point3 low = points[0];
-   Point3 high = points[0];
-   for (const Point3 &point : points)
-   {
-      for (int d = 0; d < 3; d++)
-      {
-         low[d] = std::min(low[d], point[d]);
-         high[d] = std::max(high[d], point[d]);
-      }
-   }
-   const real_t size = Length(Sum(high, -1.0, low));
+   constexpr real_t along_axis = 1.0 - 1e-9;
+   BoundaryCase boundary;
+   boundary.surfaces = {surface};
+   boundary.guide = normal;
    for (int d = 0; d < 3; d++)
    {
-      if (high[d] - low[d] <= flat * size)
+      if (std::abs(normal[d]) > along_axis)
       {
-         return d;
+         boundary.guide.reset();
+         boundary.displacement[d] = LoadCurve(0.0);
       }
    }
-   return -1;
+   model.setup.boundaries.push_back(boundary);
 }
 
-// Nothing moves across a plane.
-void ReadSymmetryPlane(const FebInput &constraint, FebModel &model)
+void IgnoreEnforcement(const FebInput &constraint)
 {
    for (const char *name : {"laugon", "tol", "penalty", "minaug", "maxaug"})
    {
@@ -45,29 +38,127 @@ void ReadSymmetryPlane(const FebInput &constraint, FebModel &model)
                               "is prescribed");
    }
    constraint.Expect("rhs", false, "planes that move are not known");
+}
+
+// The normal of the plane of a facet.
+Point3 NormalOf(const std::vector<int> &facet, const FebMesh &mesh,
+                const FebInput &where)
+{
+   const Point3 &corner = mesh.nodes[facet[0]];
+   return UnitVector(Cross(Sum(mesh.nodes[facet[1]], -1.0, corner),
+                           Sum(mesh.nodes[facet[2]], -1.0, corner)),
+                     where);
+}
+
+// Whether all facets are in the plane of the first one.
+bool IsPlane(const std::vector<std::vector<int>> &facets, const Point3 &normal,
+             const FebMesh &mesh)
+{
+   // Of the size of the surface.
+   constexpr real_t flat = 1e-9;
+   const Point3 &first = mesh.nodes[facets[0][0]];
+   real_t size = 0.0;
+   real_t distance = 0.0;
+   for (const std::vector<int> &facet : facets)
+   {
+      for (const int node : facet)
+      {
+         const Point3 vector = Sum(mesh.nodes[node], -1.0, first);
+         size = std::max(size, Length(vector));
+         distance = std::max(distance, std::abs(Dot(normal, vector)));
+      }
+   }
+   return distance <= flat * size;
+}
+
+void ReadSymmetryPlane(const FebInput &constraint, FebModel &model)
+{
+   IgnoreEnforcement(constraint);
    const std::string name = constraint.NeededAttribute("surface");
    const std::string surface = model.surfaces->OfFacets(name, constraint);
-   const std::vector<int> *nodes =
-      model.surfaces->FindNodes("@surface:" + name);
-   if (surface.empty() || !nodes || nodes->empty())
+   if (surface.empty())
    {
       return;
    }
-   std::vector<Point3> points;
-   for (const int node : *nodes)
+   const std::vector<std::vector<int>> &facets = model.mesh.surfaces[name];
+   const Point3 normal = NormalOf(facets[0], model.mesh, constraint);
+   if (IsPlane(facets, normal, model.mesh))
    {
-      points.push_back(model.mesh.nodes[node]);
+      HoldAcross(normal, surface, model);
    }
-   const int axis = FlatAxis(points);
-   if (axis < 0)
+   else
    {
-      constraint.Stop("the surface must be a plane across x, y or z");
+      constraint.Stop("the surface must be a plane");
+   }
+}
+
+/// Nodes that keep to planes with one normal.
+struct KeptNodes
+{
+   Point3 normal;
+   std::vector<int> nodes{};
+};
+
+// Coefficients of the displacements of one node are a normal.
+void ReadPlaneOfNode(const FebInput &constraint, const FebMesh &mesh,
+                     std::vector<KeptNodes> &planes)
+{
+   constexpr real_t alike = 1.0 - 1e-9;
+   const std::string axes = "xyz";
+   Point3 normal{{0.0, 0.0, 0.0}};
+   std::optional<long long> node;
+   for (const FebInput &entry : constraint.All("node"))
+   {
+      const long long number = entry.NeededNumber("id");
+      const std::string dof = entry.NeededAttribute("bc");
+      const size_t axis = axes.find(dof);
+      if (node.value_or(number) != number || dof.size() != 1 ||
+          axis == std::string::npos || mesh.places.count(number) == 0)
+      {
+         entry.Stop("linear constraints are only known of x, y and z of one "
+                    "node, which keeps to a plane");
+         return;
+      }
+      node = number;
+      normal[axis] += entry.Number();
+   }
+   if (!node)
+   {
+      constraint.Stop("there is no node in it");
       return;
    }
-   BoundaryCase boundary;
-   boundary.surfaces = {surface};
-   boundary.displacement[axis] = LoadCurve(0.0);
-   model.setup.boundaries.push_back(boundary);
+   normal = UnitVector(normal, constraint);
+   auto plane =
+      std::find_if(planes.begin(), planes.end(),
+                   [&](const KeptNodes &other)
+                   { return std::abs(Dot(other.normal, normal)) > alike; });
+   if (plane == planes.end())
+   {
+      planes.push_back({normal});
+      plane = planes.end() - 1;
+   }
+   plane->nodes.push_back(mesh.places.at(*node));
+}
+
+void ReadLinearConstraint(const FebInput &constraint, FebModel &model)
+{
+   IgnoreEnforcement(constraint);
+   std::vector<KeptNodes> planes;
+   for (const FebInput &entry : constraint.All("linear_constraint"))
+   {
+      ReadPlaneOfNode(entry, model.mesh, planes);
+   }
+   for (const KeptNodes &plane : planes)
+   {
+      const std::string name =
+         "plane_" + std::to_string(model.mesh.node_sets.size());
+      model.mesh.node_sets[name] = plane.nodes;
+      const std::string surface = model.surfaces->OfNodes(name, constraint);
+      if (!surface.empty())
+      {
+         HoldAcross(plane.normal, surface, model);
+      }
+   }
 }
 } // namespace
 
@@ -81,10 +172,15 @@ void ReadConstraints(const FebInput &section, FebModel &model)
       {
          ReadSymmetryPlane(constraint, model);
       }
+      else if (type == "linear constraint")
+      {
+         ReadLinearConstraint(constraint, model);
+      }
       else
       {
          constraint.StopAll("constraints of the type \"" + type +
-                            "\" are not known; there is symmetry plane");
+                            "\" are not known; there are symmetry plane and "
+                            "linear constraint");
       }
    }
 }

@@ -50,25 +50,6 @@ void ForSection(const FebInput &root, const std::string &name, Read read)
    }
 }
 
-void IgnoreMeshData(const FebInput &root)
-{
-   ForSection(root, "MeshData",
-              [](const FebInput &data)
-              {
-                 for (const FebInput &entry : data.All("ElementData"))
-                 {
-                    if (entry.Attribute("type") == "shell thickness")
-                    {
-                       entry.IgnoreAll("only rigid shells are read");
-                    }
-                    else
-                    {
-                       entry.StopAll("data of elements are not known");
-                    }
-                 }
-              });
-}
-
 // Nodes that elements of a rigid material share with deformable ones are tied
 // to the body.
 void TieSharedNodes(const FebInput &root, const FebRigidMaterial &material,
@@ -208,9 +189,10 @@ void ReadModel(const FebInput &root, FebModel &model)
    ForSection(root, "MeshDomains",
               [&](const FebInput &section)
               { ReadMeshDomains(section, model.mesh); });
+   const FebElementData data = ReadElementData(root, model.mesh);
    ForSection(root, "Material",
               [&](const FebInput &section)
-              { model.materials = ReadMaterials(section, model.mesh); });
+              { model.materials = ReadMaterials(section, model.mesh, data); });
    model.guides = FindGuides(root, model.mesh, model.materials);
    model.touching = FindTouchingParts(model.mesh, model.materials);
    ThickenShells(model.touching, model.mesh);
@@ -298,7 +280,6 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    FebModel model;
    ReadModel(root, model);
    ReadOutput(root, model);
-   IgnoreMeshData(root);
    if (model.steps.steady && !import.report.IsStopped())
    {
       MakeSteady(root, model);
@@ -319,7 +300,8 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    import.setup.time = model.steps.Options();
    import.setup.output.directory = "out/" + name;
    import.setup.output.fields_every = model.steps.fields_every;
-   import.mesh = MshText(model.mesh, Parts(model), *model.surfaces);
+   import.mesh = MshText(model.mesh, Parts(model), *model.surfaces,
+                         model.materials.fields);
    return import;
 }
 

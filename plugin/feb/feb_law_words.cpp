@@ -1,18 +1,10 @@
 #include "synovia/feb/feb_law_words.hpp"
 #include "synovia/general/error.hpp"
-#include "synovia/materials/material_frame.hpp"
-
-#include <cmath>
 
 namespace synovia
 {
 
 using namespace mfem;
-
-namespace
-{
-constexpr real_t same_direction = 1e-12;
-} // namespace
 
 const LawWords *FindLaw(const FebInput &from,
                         const std::vector<LawWords> &words,
@@ -65,46 +57,6 @@ std::map<std::string, real_t> ReadParameters(const FebInput &from,
       }
    }
    return values;
-}
-
-Point3 InFrame(const Point3 &vector, const FrameCase &frame)
-{
-   const Tensor3<> axes = AxesAlong(frame.axis);
-   Point3 components{};
-   for (int i = 0; i < 3; i++)
-   {
-      for (int j = 0; j < 3; j++)
-      {
-         components[i] += axes[j][i] * vector[j];
-      }
-   }
-   return components;
-}
-
-std::array<int, 3> FindAxes(const FebInput &from, const Tensor3<> &axes,
-                            const FrameCase &frame)
-{
-   std::array<int, 3> places{{0, 1, 2}};
-   for (int a = 0; a < 3; a++)
-   {
-      const Point3 parts = InFrame({axes[0][a], axes[1][a], axes[2][a]}, frame);
-      bool found = false;
-      for (int b = 0; b < 3; b++)
-      {
-         if (std::abs(std::abs(parts[b]) - 1.0) < same_direction)
-         {
-            places[a] = b;
-            found = true;
-         }
-      }
-      if (!found)
-      {
-         from.Stop("the second and third material axis must be along axes of "
-                   "space");
-         return {{0, 1, 2}};
-      }
-   }
-   return places;
 }
 
 } // namespace synovia

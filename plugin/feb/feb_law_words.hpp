@@ -1,11 +1,8 @@
 #pragma once
 
-#include "synovia/cases/case_file.hpp"
 #include "synovia/feb/feb_input.hpp"
 #include "synovia/materials/law_description.hpp"
-#include "synovia/materials/tensor3.hpp"
 
-#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -33,13 +30,5 @@ const LawWords *FindLaw(const FebInput &from,
 std::map<std::string, mfem::real_t> ReadParameters(const FebInput &from,
                                                    const LawWords &words,
                                                    const LawDescription &law);
-
-/// The vector's components along r, theta and z of the frame.
-Point3 InFrame(const Point3 &vector, const FrameCase &frame);
-
-/// For each of the material's axes, in columns, which of the frame's axes r,
-/// theta, z (0 to 2) is parallel to it. The import stops if one has none.
-std::array<int, 3> FindAxes(const FebInput &from, const Tensor3<> &axes,
-                            const FrameCase &frame);
 
 } // namespace synovia

@@ -44,7 +44,7 @@ SupplyCase ReadSupply(const FebInput &supply)
    return result;
 }
 
-MaterialCase ReadBiphasic(const FebInput &material)
+MaterialCase ReadBiphasic(const FebInput &material, FebFrame &frame)
 {
    MaterialCase result;
    result.solid_fraction = material.Number("phi0", 0.0);
@@ -64,7 +64,6 @@ MaterialCase ReadBiphasic(const FebInput &material)
    {
       result.supply = ReadSupply(*supply);
    }
-   const Tensor3<> axes = ReadAxes(material);
    const std::optional<FebInput> permeability = material.Find("permeability");
    const std::optional<FebInput> solid = material.Find("solid");
    if (!permeability || !solid)
@@ -72,21 +71,18 @@ MaterialCase ReadBiphasic(const FebInput &material)
       material.Stop("a biphasic material has a solid and a permeability");
       return result;
    }
-   result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
-   result.permeability = ReadPermeability(*permeability, axes, result.frame);
+   result.permeability = ReadPermeability(*permeability, frame);
    result.solid_density = ReadDensity(*solid, "density", 1.0);
-   result.solid = ReadSolid(*solid, axes, result.frame);
+   result.solid = ReadSolid(*solid, frame);
    return result;
 }
 
-MaterialCase ReadElastic(const FebInput &material)
+MaterialCase ReadElastic(const FebInput &material, FebFrame &frame)
 {
    MaterialCase result;
    result.permeability.model = PermeabilityCase::none;
-   const Tensor3<> axes = ReadAxes(material);
-   result.frame.axis = {axes[0][0], axes[1][0], axes[2][0]};
    result.solid_density = ReadDensity(material, "density", 1.0);
-   result.solid = ReadSolid(material, axes, result.frame);
+   result.solid = ReadSolid(material, frame);
    return result;
 }
 
@@ -118,7 +114,8 @@ FebRigidMaterial ReadRigid(const FebInput &material)
 }
 } // namespace
 
-FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh)
+FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh,
+                           const FebElementData &data)
 {
    FebMaterials result;
    std::set<int> left;
@@ -157,8 +154,15 @@ FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh)
                           "and solids without fluid");
          continue;
       }
-      MaterialCase entry =
-         type == "biphasic" ? ReadBiphasic(material) : ReadElastic(material);
+      FebFrame frame(material, {mesh, data, parts},
+                     "directions of material " + number);
+      MaterialCase entry = type == "biphasic" ? ReadBiphasic(material, frame)
+                                              : ReadElastic(material, frame);
+      entry.frame = frame.Case();
+      if (!frame.Field().empty())
+      {
+         result.fields[entry.frame.name] = frame.Field();
+      }
       for (const int p : parts)
       {
          if (mesh.parts[p].shape->dimension != 3)

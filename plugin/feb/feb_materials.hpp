@@ -1,7 +1,7 @@
 #pragma once
 
 #include "synovia/cases/case_file.hpp"
-#include "synovia/feb/feb_mesh.hpp"
+#include "synovia/feb/feb_element_data.hpp"
 
 #include <set>
 
@@ -33,9 +33,12 @@ struct FebMaterials
    std::vector<FebRigidMaterial> rigid;
    /// Places of the parts that deform.
    std::set<int> deformable;
+   /// Directions of elements by their names, which frames refer to.
+   std::map<std::string, FebElementData::Vectors> fields;
 };
 
 /// Reads the section Material, for the parts of the mesh.
-FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh);
+FebMaterials ReadMaterials(const FebInput &section, const FebMesh &mesh,
+                           const FebElementData &data);
 
 } // namespace synovia

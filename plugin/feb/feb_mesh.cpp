@@ -187,7 +187,11 @@ FebMesh ReadFebMesh(const FebInput &section)
       mesh.surface_pairs[pair.NeededAttribute("name")] = {
          primary, Side(pair, "secondary", "slave")};
    }
-   section.Ignore("ElementSet", "only logs refer to elements");
+   section.Ignore("ElementSet", "it is read where it is named");
+   for (const char *name : {"Edge", "PartList"})
+   {
+      section.Ignore(name, "nothing that is read refers to it");
+   }
    if (mesh.nodes.empty() || mesh.parts.empty())
    {
       section.Stop("there is no mesh here: Nodes or Elements are missing");

@@ -26,6 +26,11 @@ struct FebModel
    CaseFile setup;
    /// Prescribed fluid pressures, with the nodes that have them.
    std::vector<std::pair<std::set<int>, LoadCurve>> pressures;
+   /// Whether it is a step that is being read.
+   bool in_step = false;
+   /// Freedoms of rigid bodies, translations first, that this step prescribes
+   /// relative to where the bodies are when it begins.
+   std::map<std::string, std::array<bool, 6>> relative;
 
    /// The number in @a value, as a curve if it names a load controller.
    LoadCurve Value(const FebInput &value) const;

@@ -1,8 +1,8 @@
+#include "synovia/feb/feb_element_data.hpp"
 #include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_ranges.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -12,61 +12,6 @@ namespace synovia
 
 namespace
 {
-// Longer lists are no lists of what a model has.
-constexpr long long most_numbers = 10000000;
-
-// A number, or a range FIRST:LAST or FIRST:LAST:STEP; false if it is neither.
-bool AddRange(const std::string &word, std::vector<long long> &numbers)
-{
-   long long parts[3] = {0, 0, 1};
-   int count = 0;
-   const char *at = word.c_str();
-   while (count < 3)
-   {
-      char *end = nullptr;
-      errno = 0;
-      parts[count++] = std::strtoll(at, &end, 10);
-      if (end == at || errno != 0 || (*end != ':' && *end != '\0'))
-      {
-         return false;
-      }
-      if (*end == '\0')
-      {
-         at = end;
-         break;
-      }
-      at = end + 1;
-   }
-   const long long last = count == 1 ? parts[0] : parts[1];
-   if (*at != '\0' || parts[0] < 0 || last < parts[0] || parts[2] < 1 ||
-       last - parts[0] > most_numbers)
-   {
-      return false;
-   }
-   for (long long i = parts[0]; i <= last; i += parts[2])
-   {
-      numbers.push_back(i);
-   }
-   return true;
-}
-
-std::vector<long long> ReadRanges(const FebInput &from)
-{
-   std::string text = from.Text();
-   std::replace(text.begin(), text.end(), ',', ' ');
-   std::istringstream words(text);
-   std::vector<long long> numbers;
-   for (std::string word; words >> word;)
-   {
-      if (!AddRange(word, numbers))
-      {
-         from.Stop("found \"" + word + "\" in a list of numbers");
-         return {};
-      }
-   }
-   return numbers;
-}
-
 // Numbers of the corners of elements of the case.
 std::set<long long> CornerNumbers(const FebModel &model)
 {
@@ -159,34 +104,8 @@ std::vector<long long> ElementsOfTable(const FebInput &table,
    {
       return numbers;
    }
-   for (const FebPart &part : model.mesh.parts)
-   {
-      for (const FebCell &cell : part.cells)
-      {
-         if (part.name == name)
-         {
-            numbers.push_back(cell.number);
-         }
-      }
-   }
-   for (const char *section : {"Mesh", "Geometry"})
-   {
-      const std::optional<FebInput> mesh = root.Find(section);
-      for (const FebInput &set :
-           mesh ? mesh->All("ElementSet") : std::vector<FebInput>())
-      {
-         if (set.Attribute("name") != name)
-         {
-            continue;
-         }
-         const std::vector<long long> listed = ReadRanges(set);
-         numbers.insert(numbers.end(), listed.begin(), listed.end());
-         for (const FebInput &element : set.All())
-         {
-            numbers.push_back(element.NeededNumber("id"));
-         }
-      }
-   }
+   const std::vector<long long> of_set = ElementsOfSet(name, root, model.mesh);
+   numbers.insert(numbers.end(), of_set.begin(), of_set.end());
    if (numbers.empty())
    {
       table.Stop("there is no set of elements called \"" + name + "\"");

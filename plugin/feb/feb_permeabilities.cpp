@@ -2,6 +2,8 @@
 #include "synovia/feb/feb_laws.hpp"
 #include "synovia/materials/law_registry.hpp"
 
+#include <cmath>
+
 namespace synovia
 {
 
@@ -69,12 +71,11 @@ void ReadAlongAxes(const FebInput &from, const std::string &child,
    }
 }
 
-PermeabilityCase ReadOrthotropic(const FebInput &from, const Tensor3<> &axes,
-                                 const FrameCase &frame)
+PermeabilityCase ReadOrthotropic(const FebInput &from, FebFrame &frame)
 {
    PermeabilityCase result;
    result.model = "referential_orthotropic";
-   const std::array<int, 3> places = FindAxes(from, axes, frame);
+   const std::array<int, 3> places = frame.Places(from);
    std::array<std::string, 3> frame_axes;
    for (int a = 0; a < 3; a++)
    {
@@ -92,6 +93,20 @@ PermeabilityCase ReadOrthotropic(const FebInput &from, const Tensor3<> &axes,
 }
 } // namespace
 
+namespace
+{
+// The law is along theta of the frame.
+void VerifyAxis(const FebInput &permeability, FebFrame &frame)
+{
+   constexpr real_t same_direction = 1e-12;
+   const Point3 first = frame.Components(permeability, FebDirection());
+   if (std::abs(std::abs(first[1]) - 1.0) > same_direction)
+   {
+      permeability.Stop("the first material axis must be around the cylinder");
+   }
+}
+} // namespace
+
 void Scale(real_t factor, PermeabilityCase &permeability)
 {
    const LawDescription &law = *PermeabilityLaws().Find(permeability.model);
@@ -105,13 +120,12 @@ void Scale(real_t factor, PermeabilityCase &permeability)
    }
 }
 
-PermeabilityCase ReadPermeability(const FebInput &permeability,
-                                  const Tensor3<> &axes, const FrameCase &frame)
+PermeabilityCase ReadPermeability(const FebInput &permeability, FebFrame &frame)
 {
    PermeabilityCase result;
    if (permeability.Attribute("type") == orthotropic)
    {
-      return ReadOrthotropic(permeability, axes, frame);
+      return ReadOrthotropic(permeability, frame);
    }
    if (const LawWords *words =
           FindLaw(permeability, PermeabilityWords(), "perm-ref-ortho"))
@@ -119,6 +133,10 @@ PermeabilityCase ReadPermeability(const FebInput &permeability,
       result.model = words->law;
       result.parameters = ReadParameters(permeability, *words,
                                          *PermeabilityLaws().Find(words->law));
+      if (words->feb == "perm-ref-trans-iso")
+      {
+         VerifyAxis(permeability, frame);
+      }
    }
    return result;
 }

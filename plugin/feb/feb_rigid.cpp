@@ -1,4 +1,4 @@
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_joints.hpp"
 
 #include <algorithm>
 
@@ -32,9 +32,12 @@ int Freedom(const std::string &dof)
    return -1;
 }
 
-void Prescribe(int freedom, const LoadCurve &value, RigidBodyCase &body)
+// Relative to where the body is when a step begins, or not.
+void Prescribe(int freedom, const LoadCurve &value, bool relative,
+               RigidBodyCase &body, FebModel &model)
 {
    (freedom < 3 ? body.translation : body.rotation)[freedom % 3] = value;
+   model.relative[body.name][freedom] = relative && model.in_step;
 }
 
 void AddLoad(int freedom, const LoadCurve &value, RigidBodyCase &body)
@@ -48,7 +51,7 @@ void AddLoad(int freedom, const LoadCurve &value, RigidBodyCase &body)
    (*loads)[freedom % 3] = value;
 }
 
-void ReadFixed(const FebInput &condition, RigidBodyCase &body)
+void ReadFixed(const FebInput &condition, RigidBodyCase &body, FebModel &model)
 {
    std::string word;
    for (const char c : condition.Word("dofs", "") + ",")
@@ -61,7 +64,7 @@ void ReadFixed(const FebInput &condition, RigidBodyCase &body)
       const int freedom = Freedom(word);
       if (freedom >= 0)
       {
-         Prescribe(freedom, LoadCurve(0.0), body);
+         Prescribe(freedom, LoadCurve(0.0), true, body, model);
       }
       else if (!word.empty())
       {
@@ -75,7 +78,7 @@ void ReadFixed(const FebInput &condition, RigidBodyCase &body)
    {
       if (condition.Flag(names[i], false))
       {
-         Prescribe(i, LoadCurve(0.0), body);
+         Prescribe(i, LoadCurve(0.0), true, body, model);
       }
    }
 }
@@ -103,11 +106,11 @@ void ReadFormerBody(const FebInput &conditions, FebModel &model)
       }
       else if (condition.Name() == "fixed")
       {
-         Prescribe(freedom, LoadCurve(0.0), *body);
+         Prescribe(freedom, LoadCurve(0.0), true, *body, model);
       }
       else if (condition.Name() == "prescribed")
       {
-         Prescribe(freedom, model.Value(condition), *body);
+         Prescribe(freedom, model.Value(condition), false, *body, model);
       }
       else if (condition.Name() == "force")
       {
@@ -170,11 +173,14 @@ void ReadEntry(const FebInput &entry, FebModel &model)
    }
    if (fixed)
    {
-      ReadFixed(entry, *body);
+      ReadFixed(entry, *body, model);
       return;
    }
-   entry.Expect("relative", false,
-                "values relative to those at the start are not known");
+   const bool relative = entry.Flag("relative", false);
+   if (relative && !moved)
+   {
+      entry.Stop("loads relative to those before are not known");
+   }
    const int freedom = ReadFreedom(entry);
    const LoadCurve value = model.Value(entry, "value");
    if (freedom < 0)
@@ -183,7 +189,7 @@ void ReadEntry(const FebInput &entry, FebModel &model)
    }
    if (moved)
    {
-      Prescribe(freedom, value, *body);
+      Prescribe(freedom, value, relative, *body, model);
    }
    else
    {
@@ -216,10 +222,16 @@ LigamentEnd ReadEnd(const FebInput &spring, const std::string &which,
 void ReadConnector(const FebInput &entry, FebModel &model)
 {
    const std::string type = entry.NeededAttribute("type");
+   if (IsJointType(type))
+   {
+      ReadJoint(entry, model);
+      return;
+   }
    if (type != "rigid spring")
    {
       entry.StopAll("connectors of the type \"" + type +
-                    "\" are not known; there is \"rigid spring\"");
+                    "\" are not known; there are rigid spring, " +
+                    JointTypes());
       return;
    }
    Ligament spring;

@@ -29,6 +29,15 @@ const std::vector<LawWords> &SolidWords()
         {"v0", "v0"},
         {"m", "m"},
         {"k", "k"}}},
+      {"trans iso Mooney-Rivlin",
+       "trans_iso_mooney_rivlin",
+       {{"c1", "c1"},
+        {"c2", "c2"},
+        {"c3", "c3"},
+        {"c4", "c4"},
+        {"c5", "c5"},
+        {"lam_max", "lam_max"},
+        {"k", "k"}}},
       {"fiber-exp-pow",
        "fiber_exp_pow",
        {{"alpha", "alpha"},
@@ -45,27 +54,32 @@ const std::vector<LawWords> &SolidWords()
        {{"ksi", "ksi"}, {"lam0", "lam0"}}}};
    return words;
 }
-
-Point3 Rotated(const Tensor3<> &axes, const Point3 &vector)
-{
-   Point3 rotated{};
-   for (int i = 0; i < 3; i++)
-   {
-      for (int j = 0; j < 3; j++)
-      {
-         rotated[i] += axes[i][j] * vector[j];
-      }
-   }
-   return rotated;
-}
 } // namespace
 
 namespace
 {
+FebDirection FirstAxis(const FebAxes &axes)
+{
+   FebDirection first;
+   first.direction = {axes.axes[0][0], axes.axes[1][0], axes.axes[2][0]};
+   first.cylinder = axes.cylinder;
+   first.at_centers = axes.at_centers;
+   if (axes.of_element)
+   {
+      first.of_element =
+         [of_element = axes.of_element](const FebCell &cell, int part)
+      {
+         const Tensor3<> own = of_element(cell, part);
+         return Point3{{own[0][0], own[1][0], own[2][0]}};
+      };
+   }
+   return first;
+}
+
 // A child with a number for each of the material's axes, in the order of those
 // of the frame.
 Point3 ReadAlongFrame(const FebInput &from, const std::string &child,
-                      const Tensor3<> &axes, const FrameCase &frame)
+                      FebFrame &frame)
 {
    const std::optional<FebInput> found = from.Find(child);
    const std::vector<real_t> numbers =
@@ -76,7 +90,7 @@ Point3 ReadAlongFrame(const FebInput &from, const std::string &child,
       from.Stop("<" + child + "> must have a number for each of three axes");
       return ordered;
    }
-   const std::array<int, 3> places = FindAxes(from, axes, frame);
+   const std::array<int, 3> places = frame.Places(from);
    for (int a = 0; a < 3; a++)
    {
       ordered[places[a]] = numbers[a];
@@ -84,20 +98,18 @@ Point3 ReadAlongFrame(const FebInput &from, const std::string &child,
    return ordered;
 }
 
-SolidCase ReadEllipsoidal(const FebInput &solid, const Tensor3<> &axes,
-                          const FrameCase &frame)
+SolidCase ReadEllipsoidal(const FebInput &solid, FebFrame &frame)
 {
    SolidCase result;
    result.model = "ellipsoidal_fiber_distribution";
    for (const char *name : {"beta", "ksi"})
    {
-      result.vectors[name] = ReadAlongFrame(solid, name, axes, frame);
+      result.vectors[name] = ReadAlongFrame(solid, name, frame);
    }
    return result;
 }
 
-SolidCase ReadContinuous(const FebInput &solid, const Tensor3<> &axes,
-                         const FrameCase &frame)
+SolidCase ReadContinuous(const FebInput &solid, FebFrame &frame)
 {
    SolidCase result;
    result.model = "continuous_fiber_distribution";
@@ -109,7 +121,7 @@ SolidCase ReadContinuous(const FebInput &solid, const Tensor3<> &axes,
       solid.Stop("<fibers> and <distribution> must be there");
       return result;
    }
-   const SolidCase law = ReadSolid(*fibers, axes, frame);
+   const SolidCase law = ReadSolid(*fibers, frame);
    result.fibers = {law.model, law.parameters};
    const LawDescription *known = SolidLaws().Find(law.model);
    if (!known || !known->is_fiber)
@@ -119,7 +131,7 @@ SolidCase ReadContinuous(const FebInput &solid, const Tensor3<> &axes,
    const std::string type = distribution->NeededAttribute("type");
    if (type == "ellipsoidal")
    {
-      result.vectors["spa"] = ReadAlongFrame(*distribution, "spa", axes, frame);
+      result.vectors["spa"] = ReadAlongFrame(*distribution, "spa", frame);
    }
    else if (type == "von-Mises-3d")
    {
@@ -144,26 +156,25 @@ bool IsSolidType(const std::string &type)
                       [&type](const LawWords &law) { return law.feb == type; });
 }
 
-SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
-                    const FrameCase &frame)
+SolidCase ReadSolid(const FebInput &solid, FebFrame &frame)
 {
    SolidCase result;
    solid.Ignore("density", "there is no inertia, and body loads know it");
    const std::string type = solid.Attribute("type");
    if (type == "ellipsoidal fiber distribution")
    {
-      return ReadEllipsoidal(solid, axes, frame);
+      return ReadEllipsoidal(solid, frame);
    }
    if (type == "continuous fiber distribution")
    {
-      return ReadContinuous(solid, axes, frame);
+      return ReadContinuous(solid, frame);
    }
    if (type == "solid mixture")
    {
       result.model = "mixture";
       for (const FebInput &part : solid.All("solid"))
       {
-         result.solids.push_back(ReadSolid(part, axes, frame));
+         result.solids.push_back(ReadSolid(part, frame));
       }
       return result;
    }
@@ -179,20 +190,28 @@ SolidCase ReadSolid(const FebInput &solid, const Tensor3<> &axes,
    {
       solid.Ignore("phi0", "that of the biphasic material counts");
    }
+   if (words->law == "trans_iso_mooney_rivlin")
+   {
+      const std::string model = solid.Word("pressure_model", "default");
+      if (model != "default" && model != "0")
+      {
+         solid.Stop("the pressure_model \"" + model +
+                    "\" is not known; there is default, k/2 (ln J)^2");
+      }
+   }
    const LawDescription &law = *SolidLaws().Find(words->law);
    result.model = words->law;
    result.parameters = ReadParameters(solid, *words, law);
    if (words->law == "prlig")
    {
       // Along the first of its own axes.
-      const Tensor3<> own = ReadAxes(solid);
       result.vectors["direction"] =
-         InFrame(Rotated(axes, {own[0][0], own[1][0], own[2][0]}), frame);
+         frame.Components(solid, FirstAxis(ReadAxes(solid, frame.Elements())));
    }
-   if (law.is_fiber)
+   if (law.is_fiber || words->law == "trans_iso_mooney_rivlin")
    {
       result.vectors["direction"] =
-         InFrame(Rotated(axes, ReadFiber(solid)), frame);
+         frame.Components(solid, ReadFiber(solid, frame.Elements()));
    }
    return result;
 }

@@ -1,4 +1,4 @@
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_rigid_steps.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ std::vector<FebInput> StepsOf(const FebInput &root)
    return steps;
 }
 
-void Delay(real_t delay, BoundaryCase &boundary)
+void DelayBoundary(real_t delay, BoundaryCase &boundary)
 {
    const auto shift = [delay](std::optional<LoadCurve> &curve)
    {
@@ -66,6 +66,31 @@ void Move(size_t first, std::vector<Entry> &from, std::vector<Entry> &to)
    from.erase(begin, from.end());
 }
 
+// By the names of rigid bodies.
+std::map<std::string, std::vector<std::string>>
+TiedSurfaces(const FebModel &model)
+{
+   std::map<std::string, std::vector<std::string>> surfaces;
+   for (const RigidBodyCase &body : model.setup.rigid_bodies)
+   {
+      surfaces[body.name] = body.surfaces;
+   }
+   return surfaces;
+}
+
+bool HasRigidSteps(const FebInput &root)
+{
+   const std::vector<FebInput> steps = StepsOf(root);
+   return std::any_of(steps.begin(), steps.end(),
+                      [](const FebInput &step)
+                      {
+                         const std::optional<FebInput> boundary =
+                            step.Find("Boundary");
+                         return step.Find("Rigid") ||
+                                (boundary && boundary->Find("rigid_body"));
+                      });
+}
+
 StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
                   FebModel &model)
 {
@@ -79,6 +104,9 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
    const size_t boundaries = model.setup.boundaries.size();
    const size_t contacts = model.setup.contacts.size();
    const size_t ties = model.setup.ties.size();
+   const std::map<std::string, std::vector<std::string>> held =
+      TiedSurfaces(model);
+   model.in_step = true;
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
       {"Boundary", ReadBoundary},
@@ -92,15 +120,19 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
          read(*section, model);
       }
    }
-   if (const std::optional<FebInput> rigid = input.Find("Rigid"))
+   model.in_step = false;
+   if (std::any_of(held.begin(), held.end(),
+                   [&](const auto &entry) {
+                      return entry.second != TiedSurfaces(model)[entry.first];
+                   }))
    {
-      rigid->StopAll("rigid bodies are only known to move in one way in all "
-                     "steps");
+      input.Stop(
+         "nodes are only known to be tied to rigid bodies in all steps");
    }
-   if (model.setup.ties.size() > ties && model.setup.steps.size() > 1)
+   if (model.setup.ties.size() > ties && number > 1)
    {
-      input.Find("Contact")->Stop("surfaces are only known to be tied in all "
-                                  "steps");
+      input.Find("Contact")->Stop("surfaces are only known to be tied from the "
+                                  "first step on");
    }
    Move(boundaries, model.setup.boundaries, step.boundaries);
    Move(contacts, model.setup.contacts, step.contacts);
@@ -109,7 +141,7 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
       BoundaryCase &boundary = step.boundaries[i];
       boundary.name =
          "step " + std::to_string(number) + " " + std::to_string(i + 1);
-      Delay(-begin, boundary);
+      DelayBoundary(-begin, boundary);
    }
    return step;
 }
@@ -150,6 +182,9 @@ void ReadStepChanges(const FebInput &root, FebModel &model)
    real_t begin = 0.0;
    std::vector<std::string> release;
    size_t number = 0;
+   const size_t ties = model.setup.ties.size();
+   FebRigidSteps rigid(model);
+   const bool has_rigid_steps = HasRigidSteps(root);
    for (const FebInput &input : StepsOf(root))
    {
       if (number == model.setup.steps.size())
@@ -159,6 +194,11 @@ void ReadStepChanges(const FebInput &root, FebModel &model)
       StepCase step = ReadStep(input, number + 1, begin, model);
       StepCase &entry = model.setup.steps[number++];
       step.duration = entry.duration;
+      if (has_rigid_steps)
+      {
+         step.rigid_bodies =
+            rigid.Next(input, begin, begin + entry.duration, model);
+      }
       step.release = release;
       entry = step;
       release.clear();
@@ -169,6 +209,10 @@ void ReadStepChanges(const FebInput &root, FebModel &model)
       for (const ContactCase &contact : entry.contacts)
       {
          release.push_back(contact.Name());
+      }
+      for (size_t i = ties; number == 1 && i < model.setup.ties.size(); i++)
+      {
+         release.push_back(model.setup.ties[i].Name());
       }
       begin += entry.duration;
    }

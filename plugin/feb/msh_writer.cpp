@@ -16,10 +16,26 @@ void WriteElement(long long number, int type, int group, std::ostream &out)
 {
    out << number << ' ' << type << " 2 " << group << ' ' << group;
 }
+
+// At time 0.
+void WriteVectors(const std::string &name,
+                  const std::map<long long, Point3> &vectors, std::ostream &out)
+{
+   out << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n3\n"
+       << vectors.size() << '\n';
+   for (const auto &[number, vector] : vectors)
+   {
+      out << number << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2]
+          << '\n';
+   }
+   out << "$EndElementData\n";
+}
 } // namespace
 
-std::string MshText(const FebMesh &mesh, const std::set<int> &parts,
-                    const FebSurfaces &surfaces)
+std::string
+MshText(const FebMesh &mesh, const std::set<int> &parts,
+        const FebSurfaces &surfaces,
+        const std::map<std::string, FebElementData::Vectors> &fields)
 {
    std::ostringstream out;
    out.precision(std::numeric_limits<double>::max_digits10);
@@ -98,6 +114,10 @@ std::string MshText(const FebMesh &mesh, const std::set<int> &parts,
       }
    }
    out << "$EndElements\n";
+   for (const auto &[name, vectors] : fields)
+   {
+      WriteVectors(name, {vectors.begin(), vectors.end()}, out);
+   }
    return out.str();
 }
 

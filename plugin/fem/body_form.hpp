@@ -70,6 +70,10 @@ public:
    virtual void GetGrowth(const BodyStage &stage,
                           mfem::Vector &growth) const = 0;
 
+   /// Adds the forces of loads that follow the deformation, of which Mult()
+   /// has the reverse (true dofs).
+   virtual void AddLoads(const BodyStage &, mfem::Vector &) const {}
+
    /// What loads that follow the deformation let into this rank's bodies
    /// (volume / time).
    virtual mfem::real_t Inflow(const BodyStage &) const { return 0.0; }

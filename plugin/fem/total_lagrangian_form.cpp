@@ -201,14 +201,9 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage, Vector &momentum,
    Vector local_mass(p.Size());
    local_momentum = 0.0;
    local_mass = 0.0;
-   if (loads.Any() || gravity)
+   if (HasLoads())
    {
-      const FollowerLoads::State state = ToLoads(stage);
-      loads.AddLoads(state, local_momentum, local_mass);
-      if (gravity)
-      {
-         gravity->AddLoads(state, local_momentum, local_mass);
-      }
+      AddLocalLoads(stage, local_momentum, local_mass);
       local_momentum *= -1.0;
       local_mass *= -stage.dt;
    }
@@ -227,6 +222,35 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage, Vector &momentum,
       spring.Matrix().Mult(1.0, stage.u, 1.0, momentum);
    }
    AddStabilization(stage, mass);
+}
+
+void TotalLagrangianForm::AddLocalLoads(const BodyStage &stage, Vector &forces,
+                                        Vector &inflow) const
+{
+   const FollowerLoads::State state = ToLoads(stage);
+   loads.AddLoads(state, forces, inflow);
+   if (gravity)
+   {
+      gravity->AddLoads(state, forces, inflow);
+   }
+}
+
+void TotalLagrangianForm::AddLoads(const BodyStage &stage,
+                                   Vector &momentum) const
+{
+   if (!HasLoads())
+   {
+      return;
+   }
+   ToLocal(stage);
+   Vector local_forces(u.Size());
+   Vector local_inflow(p.Size());
+   local_forces = 0.0;
+   local_inflow = 0.0;
+   AddLocalLoads(stage, local_forces, local_inflow);
+   Vector forces;
+   SumIntoTrueDofs(spaces.Displacement(), local_forces, forces);
+   momentum += forces;
 }
 
 void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,

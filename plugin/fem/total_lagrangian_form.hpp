@@ -51,6 +51,7 @@ public:
    void MultFromStart(const BodyStage &stage, mfem::Vector &momentum,
                       mfem::Vector &mass) const override;
    void GetGrowth(const BodyStage &stage, mfem::Vector &growth) const override;
+   void AddLoads(const BodyStage &stage, mfem::Vector &momentum) const override;
    mfem::real_t Inflow(const BodyStage &stage) const override;
    std::optional<mfem::real_t> Supply(const BodyStage &stage) const override;
    void AddMagnitudes(mfem::real_t dt, const mfem::Vector &u,
@@ -71,6 +72,11 @@ private:
    /// Mult() without what is remembered.
    void Evaluate(const BodyStage &stage, mfem::Vector &momentum,
                  mfem::Vector &mass) const;
+   bool HasLoads() const { return loads.Any() || gravity; }
+   /// Adds the loads and the volume / time that they let in, local dofs, after
+   /// ToLocal().
+   void AddLocalLoads(const BodyStage &stage, mfem::Vector &forces,
+                      mfem::Vector &inflow) const;
    /// Adds an element's part, local dofs; not finite where its state is
    /// impossible.
    void AddElement(const BodyStage &stage, mfem::Vector &momentum,

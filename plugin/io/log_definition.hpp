@@ -20,9 +20,8 @@ enum class LogSubject
 ///       x, y, z        where it is (length)
 ///       ux, uy, uz     displacement (length)
 ///       Rx, Ry, Rz     force of the body on its support where a displacement
-///       is
-///                      prescribed, else 0; FEBio's is what loads take up, too
-///                      (force)
+///                      is prescribed, else on what loads and touches it: the
+///                      reverse of those forces (force)
 ///       p              fluid pressure (stress)
 ///     elements, averages of their Gauss points
 ///       x, y, z        where it is (length)

@@ -106,9 +106,9 @@ public:
    std::vector<real_t> Collect(TimeStepper &stepper) override
    {
       ParFiniteElementSpace &space = problem.Spaces().Displacement();
-      ParGridFunction held(&space);
-      held.SetFromTrueDofs(ForcesOnSupports());
-      held.HostRead();
+      ParGridFunction forces(&space);
+      forces.SetFromTrueDofs(ForcesOfBodies());
+      forces.HostRead();
       const ParGridFunction &u = stepper.Displacement();
       const ParGridFunction &p = stepper.Pressure();
       u.HostRead();
@@ -125,7 +125,7 @@ public:
             values.push_back(positions[dofs[d]] + u[dofs[d]]);
          }
          for (const Vector *field : {static_cast<const Vector *>(&u),
-                                     static_cast<const Vector *>(&held)})
+                                     static_cast<const Vector *>(&forces)})
          {
             for (int d = 0; d < 3; d++)
             {
@@ -142,16 +142,19 @@ public:
    }
 
 private:
-   // What bodies do to supports is the reverse of what holds them; true dofs.
-   Vector ForcesOnSupports()
+   // The reverse of what acts on the bodies' nodes: of the support where there
+   // is one, else of loads and contact; true dofs.
+   Vector ForcesOfBodies()
    {
-      const Vector &support = problem.Operator().Balance().support;
-      support.HostRead();
-      Vector forces(support.Size());
-      forces = 0.0;
+      const StageBalance &balance = problem.Operator().Balance();
+      Vector forces(balance.support);
+      forces += balance.loads;
+      forces.Neg();
+      forces.HostReadWrite();
+      balance.support.HostRead();
       for (const int dof : problem.Conditions().DisplacementDofs())
       {
-         forces[dof] = -support[dof];
+         forces[dof] = -balance.support[dof];
       }
       return forces;
    }

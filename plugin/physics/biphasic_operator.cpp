@@ -73,6 +73,7 @@ BiphasicOperator::BiphasicOperator(
    rate = 0.0;
    balance.support.SetSize(spaces.Offsets()[1]);
    balance.support = 0.0;
+   balance.loads = balance.support;
    record.work.assemblies++;
    poses = equations.Ties().Fit(start.displacement, equations.Ties().Rest());
    AcceptStep();

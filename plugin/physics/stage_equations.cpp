@@ -163,22 +163,27 @@ void StageEquations::ComputeBodyImbalance(const ImplicitStage &stage,
    mass.Add(-stage.dt, stage.mass_load);
 }
 
-void StageEquations::AddContactImbalance(const ImplicitStage &stage,
-                                         Vector &momentum, Vector &mass) const
+void StageEquations::AddContactForces(Vector &forces, Vector &exchange) const
 {
-   Vector loads(stage.u.Size());
-   Vector exchange(stage.p.Size());
-   loads = 0.0;
-   exchange = 0.0;
    for (const ContactPair *pair : pairs)
    {
-      pair->AddForces(loads, exchange);
+      pair->AddForces(forces, exchange);
    }
    for (const TiedInterface *tie : interfaces)
    {
-      tie->AddForces(loads, exchange);
+      tie->AddForces(forces, exchange);
    }
-   momentum -= loads;
+}
+
+void StageEquations::AddContactImbalance(const ImplicitStage &stage,
+                                         Vector &momentum, Vector &mass) const
+{
+   Vector forces(stage.u.Size());
+   Vector exchange(stage.p.Size());
+   forces = 0.0;
+   exchange = 0.0;
+   AddContactForces(forces, exchange);
+   momentum -= forces;
    mass.Add(stage.dt, exchange);
    // Sums over supports and drained surfaces are taken on the host.
    momentum.HostReadWrite();
@@ -225,6 +230,11 @@ StageBalance StageEquations::Balance(const ImplicitStage &stage) const
    StageBalance balance;
    Vector mass;
    ComputeImbalance(stage, balance.support, mass);
+   balance.loads = stage.momentum_load;
+   bodies->AddLoads(stage, balance.loads);
+   Vector exchange(stage.p.Size());
+   exchange = 0.0;
+   AddContactForces(balance.loads, exchange);
    Vector growth;
    bodies->GetGrowth(stage, growth);
    real_t drained = 0.0;

@@ -32,6 +32,8 @@ struct StageBalance
    /// Forces that hold the bodies (true dofs): at prescribed dofs the force
    /// that the support exerts on the body, elsewhere the remaining error.
    mfem::Vector support;
+   /// Forces of loads, contact and ties on the bodies (true dofs).
+   mfem::Vector loads;
    /// Growth of the bodies' volume (volume / time).
    mfem::real_t growth = 0.0;
    /// Fluid that leaves through drained and prescribed boundaries (volume /
@@ -130,6 +132,8 @@ public:
    mfem::Vector DisplacementIn(const mfem::BlockVector &step) const;
 
 private:
+   /// Adds forces on bodies and the flow between them (volume / time).
+   void AddContactForces(mfem::Vector &forces, mfem::Vector &exchange) const;
    void UpdateFactors();
    /// Scales what drives joints by how tied bodies resist.
    void ScaleDrives();

@@ -6,7 +6,9 @@ says; fluid that enters where the solid is free of traction presses on it; a
 converted model gives the history of the model itself to 1e-10, on one
 rank and on two; a model with what is not known is refused before anything runs,
 with the whole list; a rigid platen that a load moves gives the displacement of
-the same traction.
+the same traction; a hinge turns one rigid body about its axis beside another; a
+plate presses an elastic block as its closed form says in one step, and stays
+where it is in the next.
 """
 
 from __future__ import annotations
@@ -192,6 +194,108 @@ def permeation_of(directory: pathlib.Path, mixture: int) -> None:
           < 1e-6 * LOAD, "the fluid presses on the solid's surface")
 
 
+BODY = """<material id="{number}" name="{name}" type="rigid body">
+<density>1</density><center_of_mass>0.5,0.5,{z}</center_of_mass></material>"""
+TIED = """<bc name="{name}" node_set="{nodes}" type="rigid">
+<rb>{name}</rb></bc>"""
+HINGE = """<Rigid>
+<rigid_bc type="rigid_fixed"><rb>anvil</rb><Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof>
+<Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof>
+</rigid_bc>
+<rigid_connector name="hinge" type="rigid revolute joint"><body_a>anvil</body_a>
+<body_b>platen</body_b><joint_origin>0.5,0.5,0.5</joint_origin>
+<rotation_axis>1,0,0</rotation_axis><transverse_axis>0,1,0</transverse_axis>
+<prescribed_rotation>1</prescribed_rotation><rotation lc="1">0.2</rotation>
+</rigid_connector>
+</Rigid>"""
+RAMP = ("<interpolate>LINEAR</interpolate><extend>CONSTANT</extend><points>"
+        "<pt>0,0</pt><pt>1,1</pt></points>")
+
+
+def between(text: str, start: str, end: str) -> str:
+    begin = text.index(start)
+    return text[begin:text.index(end, begin) + len(end)]
+
+
+def hinge(directory: pathlib.Path) -> None:
+    """From one side of the column to the other."""
+    column = FebColumn(
+        layers=2, steps=2, step=0.5, curves=[RAMP], sections=HINGE,
+        materials=BODY.format(number=2, name="platen", z=1)
+        + BODY.format(number=3, name="anvil", z=0),
+        boundary=TIED.format(name="platen", nodes="top_nodes")
+        + TIED.format(name="anvil", nodes="bottom"))
+    text = column.text()
+    for name in "sides", "support":
+        text = text.replace(between(text, f'<bc name="{name}"', "</bc>"), "")
+    model = directory / "hinge.feb"
+    model.write_text(text)
+    output = directory / "hinge"
+    run_program(SYNOVIA, model, "--output", output, *QUICK, "--log",
+                "rigid_bodies:x;y;z;qx;qy;qz", text="synovia hinge.feb")
+    rows = (output / "logs" / "log_rigid_bodies.txt").read_text().splitlines()
+    last = next(row for row in reversed(rows) if row.startswith("1 "))
+    x, y, z, qx, qy, qz = map(float, last.split()[1:])
+    check(abs(qx - math.sin(0.1)) < 1e-8 and abs(qy) + abs(qz) < 1e-8,
+          f"the hinge turns its second body about its axis: {qx:.6f}")
+    check(abs(x - 0.5) < 1e-8 and abs(y - 0.5 + 0.5 * math.sin(0.2)) < 1e-7
+          and abs(z - 0.5 - 0.5 * math.cos(0.2)) < 1e-7,
+          "and its origin stays")
+
+
+PLATE = """<Rigid>
+<rigid_bc type="rigid_fixed"><rb>plate</rb><Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof>
+<Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof></rigid_bc>
+</Rigid>
+<Contact><contact name="press" surface_pair="pair" type="sliding-elastic">
+<tension>0</tension></contact></Contact>
+<Step>
+<step id="1" name="press">{times}<Rigid><rigid_load type="rigid_force">
+<rb>plate</rb><dof>Rz</dof><value lc="1">-0.1</value></rigid_load></Rigid></step>
+<step id="2" name="hold">{times}<Rigid><rigid_bc type="rigid_fixed"><rb>plate</rb>
+<Rz_dof>1</Rz_dof></rigid_bc></Rigid></step>
+</Step>"""
+
+
+def elastic_contact(directory: pathlib.Path) -> None:
+    """A plate on a block that has no fluid, and can't widen."""
+    text = FebColumn(
+        layers=2, steps=2, step=0.5, curves=[RAMP],
+        materials=BODY.format(number=2, name="plate", z=1)).text()
+    times = between(text, "<Control>", "</Control>")
+    for old, new in (
+            (times, ""),
+            (between(text, '<material id="1"', "</material>"),
+             '<material id="1" name="tissue" type="neo-Hookean"><E>1</E>'
+             "<v>0</v></material>"),
+            (between(text, '<bc name="drained"', "/>"), ""),
+            ("</Nodes>", '<node id="101">-1,-1,1</node><node id="102">2,-1,1'
+             '</node><node id="103">2,2,1</node><node id="104">-1,2,1</node>'
+             '</Nodes><Elements type="quad4" name="plate"><elem id="101">'
+             "101,102,103,104</elem></Elements>"),
+            ("</Mesh>", '<Surface name="below"><quad4 id="1">104,103,102,101'
+             '</quad4></Surface><SurfacePair name="pair"><primary>below'
+             "</primary><secondary>top</secondary></SurfacePair></Mesh>"),
+            ("</MeshDomains>", '<ShellDomain name="plate" mat="plate"/>'
+             "</MeshDomains>"),
+            ("<LoadData>", PLATE.format(times=times) + "<LoadData>")):
+        text = text.replace(old, new, 1)
+    model = directory / "elastic.feb"
+    model.write_text(text)
+    rows = run(model, directory / "elastic")
+    # (stretch - 1/stretch)/2 is the nominal stress of E = 1, nu = 0.
+    expected = -0.1 + math.sqrt(0.01 + 1.0) - 1.0
+    down = [row["rigid_body.plate.translation_z"] for row in rows]
+    pressing = next(i for i, row in enumerate(rows) if abs(row["t"] - 1) < 1e-9)
+    check(abs(down[pressing] - expected) < 1e-6,
+          f"the plate goes down by {-down[pressing]:.6f}")
+    check(len(rows) > pressing + 1
+          and all(abs(z - expected) < 1e-6 for z in down[pressing:]),
+          "and stays there when its load is taken away and it is held")
+    check(all(abs(row["reaction.bottom.z"] - 0.1) < 1e-6
+              for row in rows[pressing:]), "the support bears as much")
+
+
 def refusal(directory: pathlib.Path) -> None:
     model = directory / "refused.feb"
     model.write_text(FebColumn(
@@ -219,6 +323,8 @@ def main() -> None:
         consolidation(directory)
         round_trip(directory)
         permeation(directory)
+        hinge(directory)
+        elastic_contact(directory)
         refusal(directory)
     finish()
 

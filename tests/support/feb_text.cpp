@@ -221,6 +221,98 @@ std::string FebGuidedColumn()
    return text;
 }
 
+std::string FebSteppedColumn()
+{
+   std::string text = FebPressedColumn();
+   const size_t control = text.find("\t<Control>");
+   text.erase(control, text.find("\t<Globals>") - control);
+   const size_t load = text.find("\t\t<rigid_load");
+   text.erase(load, text.find("</rigid_load>") + 13 - load);
+   const std::pair<const char *, const char *> changes[] = {
+      {R"(<solid type="neo-Hookean">
+				<density>1</density>
+				<E>2</E>
+				<v>0.1</v>
+			</solid>)",
+       R"(<mat_axis type="cylindrical"><center>3,0.5,0</center>
+				<axis>0,1,0</axis><vector>1,0,0</vector></mat_axis>
+			<solid type="solid mixture">
+				<solid type="neo-Hookean"><E>2</E><v>0.1</v></solid>
+				<solid type="fiber-NH"><mu>3</mu>
+					<fiber type="map">dirs</fiber></solid>
+			</solid>)"},
+      {"\t<Boundary>",
+       R"(	<MeshData>
+		<ElementData name="dirs" data_type="vec3" elem_set="body">
+			<elem lid="1">0,0,2</elem>
+			<elem lid="2">1,0,1</elem>
+		</ElementData>
+	</MeshData>
+	<Boundary>)"},
+      {"</Material>",
+       R"(	<material id="3" name="post" type="rigid body">
+			<center_of_mass>0.5,0.5,0</center_of_mass>
+		</material>
+	</Material>)"},
+      {R"(<bc name="support" node_set="bottom" type="zero displacement">
+			<x_dof>0</x_dof>
+			<y_dof>0</y_dof>
+			<z_dof>1</z_dof>
+		</bc>)",
+       R"(<bc name="support" node_set="bottom" type="rigid">
+			<rb>post</rb>
+		</bc>)"},
+      {R"(<bc name="sides" node_set="all" type="zero displacement">
+			<x_dof>1</x_dof>
+			<y_dof>1</y_dof>
+			<z_dof>0</z_dof>
+		</bc>)",
+       ""},
+      {R"(<rb>plate</rb><Rx_dof>1</Rx_dof>
+			<Ry_dof>1</Ry_dof>)",
+       R"(<rb>post</rb><Rx_dof>1</Rx_dof>
+			<Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof>)"},
+      {"\t</Rigid>",
+       R"(		<rigid_connector name="guide" type="rigid prismatic joint">
+			<body_a>post</body_a><body_b>plate</body_b>
+			<joint_origin>0.5,0.5,0</joint_origin>
+			<translation_axis>0,0,1</translation_axis>
+			<transverse_axis>1,0,0</transverse_axis>
+		</rigid_connector>
+	</Rigid>
+	<Constraints>
+		<constraint type="linear constraint">
+			<linear_constraint><node id="1" bc="y">1</node></linear_constraint>
+			<linear_constraint><node id="2" bc="y">1</node></linear_constraint>
+			<linear_constraint><node id="5" bc="y">1</node></linear_constraint>
+			<linear_constraint><node id="6" bc="y">1</node></linear_constraint>
+		</constraint>
+	</Constraints>)"},
+      {"\t<LoadData>",
+       R"(	<Step>
+		<step id="1" name="press">
+			<Control><time_steps>4</time_steps><step_size>0.25</step_size></Control>
+			<Rigid>
+				<rigid_load type="rigid_force"><rb>plate</rb><dof>Rz</dof>
+					<value lc="1">-0.1</value></rigid_load>
+			</Rigid>
+		</step>
+		<step id="2" name="hold">
+			<Control><time_steps>2</time_steps><step_size>1</step_size></Control>
+			<Rigid>
+				<rigid_bc type="rigid_fixed"><rb>plate</rb><Rz_dof>1</Rz_dof>
+				</rigid_bc>
+			</Rigid>
+		</step>
+	</Step>
+	<LoadData>)"}};
+   for (const auto &[old, other] : changes)
+   {
+      text = Replaced(text, old, other);
+   }
+   return text;
+}
+
 std::string Replaced(const std::string &text, const std::string &old,
                      const std::string &other)
 {

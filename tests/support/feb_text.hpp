@@ -18,6 +18,11 @@ std::string FebPressedColumn();
 /// an edge has a condition of its own.
 std::string FebGuidedColumn();
 
+/// The column under the plate, with fibers that the mesh has directions of, a
+/// side that constraints of its nodes hold, a joint beside the plate, and steps
+/// that press it and hold it.
+std::string FebSteppedColumn();
+
 /// The text with the first @a old replaced, which must be in it.
 std::string Replaced(const std::string &text, const std::string &old,
                      const std::string &other);

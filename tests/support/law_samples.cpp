@@ -87,6 +87,38 @@ Complex DonnanEnergy(const Invariants &of, real_t porosity, real_t charge,
    return -factor * (ions - charges * std::asinh(charges / (bath * fluid)) -
                      bath * fluid);
 }
+
+// c1 = 0.7, c2 = 0.3, c4 = 12, c5 = 5, k = 20.
+Complex UncoupledMooneyRivlinEnergy(const Invariants &of, real_t c3,
+                                    real_t straight)
+{
+   const Complex log_J = std::log(of.J);
+   const Complex shape = std::pow(of.J, -2.0 / 3.0);
+   const Complex stretch = std::sqrt(shape * of.In);
+   const auto tension = [c3](const Complex &l)
+   { return c3 * (std::exp(12.0 * (l - 1.0)) - 1.0); };
+   const bool is_straight = stretch.real() > straight;
+   const Complex end = is_straight ? Complex(straight) : stretch;
+   // Simpson's rule for the integral of the tension over the logarithm.
+   constexpr int panels = 500;
+   Complex fibers = 0.0;
+   for (int i = 0; i <= 2 * panels; i++)
+   {
+      const Complex l = 1.0 + 0.5 * i / panels * (end - 1.0);
+      const real_t weight = i == 0 || i == 2 * panels ? 1.0
+                            : i % 2 == 1              ? 4.0
+                                                      : 2.0;
+      fibers += weight * tension(l) / l * (end - 1.0) / (6.0 * panels);
+   }
+   if (is_straight)
+   {
+      const Complex offset = tension(straight) - 5.0 * straight;
+      fibers +=
+         5.0 * (stretch - straight) + offset * std::log(stretch / straight);
+   }
+   return 0.7 * (shape * of.I1 - 3.0) + 0.3 * (shape * shape * of.I2 - 3.0) +
+          10.0 * log_J * log_J + fibers;
+}
 } // namespace
 
 std::vector<LawSample> LawSamples()
@@ -155,6 +187,28 @@ std::vector<LawSample> LawSamples()
           return 0.15 * (std::exp(10.0 * excess * excess) - 1.0) +
                  0.4 * (0.5 * (of.I1 - 3.0) - std::log(of.J)) +
                  0.35 * volume * volume;
+       }},
+      {"trans_iso_mooney_rivlin",
+       {{"c1", 0.7},
+        {"c2", 0.3},
+        {"c3", 0.2},
+        {"c4", 12.0},
+        {"c5", 5.0},
+        {"lam_max", 1.5},
+        {"k", 20.0}},
+       [](const Invariants &of)
+       { return UncoupledMooneyRivlinEnergy(of, 0.2, 1.5); }},
+      {"trans_iso_mooney_rivlin",
+       {{"c1", 0.7},
+        {"c2", 0.3},
+        {"c4", 12.0},
+        {"c5", 5.0},
+        {"lam_max", 1.01},
+        {"k", 20.0}},
+       [](const Invariants &of)
+       {
+          return UncoupledMooneyRivlinEnergy(
+             of, 5.0 / 12.0 * std::exp(-12.0 * 0.01), 1.01);
        }},
       {"fiber_exp_pow",
        {{"alpha", 1.0}, {"beta", 2.0}, {"ksi", 5.0}, {"mu", 0.2}},

@@ -28,7 +28,7 @@ namespace
 int Mutations()
 {
    const char *const wanted = std::getenv("SYNOVIA_FEB_MUTATIONS");
-   return wanted ? std::atoi(wanted) : 300;
+   return wanted ? std::atoi(wanted) : 2000;
 }
 
 class Mutator
@@ -183,20 +183,22 @@ Outcome Try(const std::string &text, const TemporaryDirectory &directory)
 
 TEST_CASE("Damaged models are refused or run")
 {
-   const std::string texts[3] = {FebColumn(), FebPressedColumn(),
-                                 FebGuidedColumn()};
+   const std::vector<std::string> texts{FebColumn(), FebPressedColumn(),
+                                        FebGuidedColumn(), FebSteppedColumn()};
    const TemporaryDirectory directory(MPI_COMM_WORLD);
-   REQUIRE(Try(texts[0], directory) == Outcome::taken);
-   REQUIRE(Try(texts[1], directory) == Outcome::taken);
-   REQUIRE(Try(texts[2], directory) == Outcome::taken);
+   for (const std::string &text : texts)
+   {
+      CAPTURE(text);
+      REQUIRE(Try(text, directory) == Outcome::taken);
+   }
    int counts[3] = {0, 0, 0};
    double longest = 0.0;
    for (int i = 0; i < Mutations(); i++)
    {
       Mutator mutate(static_cast<unsigned>(i));
-      const std::string &text = texts[i % 3];
+      const std::string &text = texts[i % texts.size()];
       std::string damaged = mutate(text);
-      if (i % 4 == 0)
+      if (i % 5 == 0)
       {
          damaged = mutate(damaged.empty() ? text : damaged + "\n");
       }

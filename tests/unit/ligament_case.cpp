@@ -188,7 +188,7 @@ TEST_CASE("A step may release a ligament")
    CHECK_THAT(
       ErrorOf(Replaced(steps, "release = \"medial\"", "release = \"lateral\"")),
       Contains("step.1.release.0") &&
-         Contains("no boundary, ligament or contact pair that holds"));
+         Contains("no boundary, ligament, contact pair or tie that holds"));
 }
 
 TEST_CASE("The report has what ligaments join and how long they are")

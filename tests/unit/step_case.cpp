@@ -196,11 +196,11 @@ TEST_CASE("Errors of steps say where, and in which step")
    const Wrong wrong = GENERATE(
       Wrong{
          "release = \"sides\"", "release = \"side\"",
-         "case.toml:33:11: step.1.release.0: no boundary, ligament or contact "
-         "pair that holds is called \"side\"; did you mean \"sides\"?"},
+         "case.toml:33:11: step.1.release.0: no boundary, ligament, contact "
+         "pair or tie that holds is called \"side\"; did you mean \"sides\"?"},
       Wrong{"name = \"slide\"\nduration = 20\n",
             "name = \"slide\"\nduration = 20\nrelease = [\"sides\"]\n",
-            "step.2.release.0: no boundary, ligament or contact pair that "
+            "step.2.release.0: no boundary, ligament, contact pair or tie that "
             "holds is called \"sides\""},
       Wrong{"name = \"plate\"\nrelative", "name = \"plates\"\nrelative",
             "step.2.boundary.0.surfaces: this is missing, as no boundary that "
