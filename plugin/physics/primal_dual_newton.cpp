@@ -1,5 +1,6 @@
 #include "synovia/physics/primal_dual_newton.hpp"
 #include "synovia/fem/node_positions.hpp"
+#include "synovia/general/reduce.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
@@ -25,7 +26,12 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    has_stepped = false;
    largest_residual = 0.0;
    bool evaluated = false;
-   for (int iteration = 0; iteration < options.max_newton; iteration++)
+   // Near an edge each search may undo what the one before it did, and the set
+   // would go to and fro with it.
+   constexpr int last_early_search = 10;
+   // Since the last search of a solution.
+   int iterations = 0;
+   for (; iterations < options.max_newton; iterations++)
    {
       if (!evaluated)
       {
@@ -54,6 +60,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
             after_search = 0.0;
          }
          searches++;
+         iterations = 0;
          renewal.Restart();
          set_changed = true;
          evaluated = false;
@@ -95,7 +102,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       has_stepped = true;
       set_changed = contact.Update(stage, ContactStiffness::bodies);
       evaluated = !set_changed;
-      if (set_changed)
+      if (set_changed && searches == 0 && iterations < last_early_search)
       {
          // Points that have drifted would change a settled set once more.
          contact.SearchDrifted(stage, ContactStiffness::bodies);
@@ -173,16 +180,32 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
       largest_residual = std::max(largest_residual, limit);
    }
    stage.from_start = false;
-   Add(1.0, stage, multipliers, tied);
+   const bool may_be_short = !from_start || !SupportsMove(stage, displacement);
+   const real_t most =
+      may_be_short ? contact.ShareBeforeOverlap(displacement) : 1.0;
+   Add(most, stage, multipliers, tied);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
-   whole_step = obstacle.empty();
-   for (real_t share = 0.5;
-        !obstacle.empty() && !from_start && share >= least_share; share *= 0.5)
+   whole_step = obstacle.empty() && most == 1.0;
+   for (real_t share = 0.5 * most;
+        !obstacle.empty() && may_be_short && share >= least_share * most;
+        share *= 0.5)
    {
       Add(-share, stage, multipliers, tied);
       obstacle = FindObstacle(stage, limit, tolerance);
    }
    return obstacle.empty() || record.report.Fail(obstacle);
+}
+
+bool PrimalDualNewton::SupportsMove(const ImplicitStage &stage,
+                                    const Vector &displacement) const
+{
+   constexpr real_t round_off = 1e-9;
+   Vector moved(stage.u);
+   moved -= stage.u0;
+   const auto largest = [this](const Vector &x) {
+      return MaxOverRanks(x.Size() > 0 ? x.Normlinf() : 0.0, spaces.GetComm());
+   };
+   return largest(moved) > round_off * largest(displacement);
 }
 
 void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
