@@ -455,7 +455,7 @@ def findings(knee: Knee) -> str:
     """What the pictures show, in numbers."""
     lines = []
     if knee.stopped_early():
-        lines.append(f"there are no fields at t = {LOADED:g} s yet: the "
+        lines.append(f"there are no fields at t = {knee.loaded:g} s yet: the "
                      f"pictures are of t = {knee.time:g} s, the latest")
     history = knee.history
     t = history["t"]

@@ -83,7 +83,8 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "small_residual", newton.small_residual,
        NumberRange::From(0.0, 1.0),
        "the same, as a part of the solve's largest residual");
-   Add(keys, "max_first_sets", newton.max_first_sets, NumberRange::From(0, 1000),
+   Add(keys, "max_first_sets", newton.max_first_sets,
+       NumberRange::From(0, 1000),
        "most active sets for which the first system of a solve without a "
        "guess is solved");
    Add(keys, "max_early_searches", newton.max_early_searches,

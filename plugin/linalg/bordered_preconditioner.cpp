@@ -91,7 +91,6 @@ void BorderedPreconditioner::SolveColumns()
    ScaledSolver scaled_inner(*inner, pressure_begin, 1.0 / force_per_volume);
    FGMRESSolver solver(comm);
    solver.SetKDim(most_iterations);
-   solver.SetMaxIter(most_iterations);
    solver.SetRelTol(0.0);
    solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
    solver.SetOperator(scaled);
@@ -116,16 +115,46 @@ void BorderedPreconditioner::SolveColumns()
                        std::sqrt(InnerProduct(comm, forces, forces)));
       Hold(columns[j]);
       ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
-      solver.Mult(forces, columns[j]);
+      column_iterations += SolveColumn(forces, most_iterations, solver, j);
       ScaleFrom(pressure_begin, force_per_volume, columns[j]);
       columns[j].HostReadWrite();
       columns[j] += unit;
-      column_iterations += solver.GetNumIterations();
    }
    columns_solved += Columns();
    outdated = false;
    fresh_rate = 0.0;
    extra_iterations = 0.0;
+}
+
+int BorderedPreconditioner::SolveColumn(const Vector &forces,
+                                        int most_iterations,
+                                        FGMRESSolver &solver, int column)
+{
+   // An inner preconditioner of equations that have changed much is renewed by
+   // its own rules, as in other solves.
+   int iterations = 0;
+   bool again = true;
+   while (again && iterations < most_iterations)
+   {
+      solver.SetMaxIter(
+         std::min(inner->Patience(), most_iterations - iterations));
+      solver.Mult(forces, columns[column]);
+      if (solver.GetNumIterations() == 0)
+      {
+         return iterations;
+      }
+      SolveAttempt attempt;
+      attempt.iterations = solver.GetNumIterations();
+      attempt.converged = solver.GetConverged();
+      attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
+      iterations += attempt.iterations;
+      again = inner->Report(attempt) && !attempt.converged;
+      if (again)
+      {
+         inner->Update();
+      }
+   }
+   return iterations;
 }
 
 void BorderedPreconditioner::Project()

@@ -39,6 +39,9 @@ private:
    /// Zero in the slots.
    void Hold(mfem::Vector &x) const;
    void SolveColumns();
+   /// For scaled @a forces, from the column as it is; returns the iterations.
+   int SolveColumn(const mfem::Vector &forces, int most_iterations,
+                   mfem::FGMRESSolver &solver, int column);
    /// Sets W^T A W.
    void Project();
    /// W^T r

@@ -146,15 +146,31 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    {
       stage.conserved0[i] = x[nu + np + i];
    }
+   Guess(0.0, stage);
+   stage.rest = {stage.u, stage.p, stage.poses};
+   Guess(dt, stage);
+   conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
+   const Vector pressure_rate(rate, nu, np);
+   equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
+   const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
+   if (no_guess || !equations.Bodies().Validate(stage).empty())
+   {
+      stage.BeginAtRest();
+   }
+   return stage;
+}
+
+void BiphasicOperator::Guess(real_t dt, ImplicitStage &stage)
+{
    stage.u = stage.u0;
    stage.p = stage.p0;
-   for (int i = 0; i < nu; i++)
+   for (int i = 0; i < stage.u.Size(); i++)
    {
       stage.u[i] += dt * rate[i];
    }
-   for (int i = 0; i < np; i++)
+   for (int i = 0; i < stage.p.Size(); i++)
    {
-      stage.p[i] += dt * rate[nu + i];
+      stage.p[i] += dt * rate[stage.u.Size() + i];
    }
    conditions.SetDisplacement(stage.time, stage.u);
    conditions.SetPressure(stage.time, stage.p);
@@ -164,12 +180,6 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    const Vector prescribed(stage.u);
    ties.Write(stage.poses, stage.u);
    VerifyTies(ties, conditions.DisplacementDofs(), prescribed, stage);
-   conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
-   const Vector pressure_rate(rate, nu, np);
-   equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
-   const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
-   stage.from_start = no_guess || !equations.Bodies().Validate(stage).empty();
-   return stage;
 }
 
 WorkCounts BiphasicOperator::Work() const

@@ -82,6 +82,9 @@ private:
    /// The stage from @a x on: loads, supports, and a first guess by the last
    /// stage's rate, or none where that is impossible.
    ImplicitStage StartStage(mfem::real_t dt, const mfem::Vector &x);
+   /// Where all would be after @a dt at the last rates, and supports where they
+   /// are at the end of the stage.
+   void Guess(mfem::real_t dt, ImplicitStage &stage);
 
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;

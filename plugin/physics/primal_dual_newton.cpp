@@ -1,5 +1,6 @@
 #include "synovia/physics/primal_dual_newton.hpp"
 #include "synovia/fem/node_positions.hpp"
+#include "synovia/general/reduce.hpp"
 #include "synovia/general/text.hpp"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    has_stepped = false;
    largest_residual = 0.0;
    bool evaluated = false;
+   // Since the last search of a solution.
    for (int iteration = 0; iteration < options.max_newton; iteration++)
    {
       if (!evaluated)
@@ -42,6 +44,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
             return true;
          }
          search.Restart();
+         iteration = 0;
          renewal.Restart();
          set_changed = true;
          evaluated = false;
@@ -203,11 +206,17 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
       largest_residual = std::max(largest_residual, limit);
    }
    stage.from_start = false;
-   Add(1.0, stage, multipliers);
+   const bool may_be_short =
+      !from_start || !SupportsMove(stage, equations.DisplacementIn(step));
+   const real_t most =
+      may_be_short ? contact.ShareBeforeOverlap(equations.DisplacementIn(step))
+                   : 1.0;
+   Add(most, stage, multipliers);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
-   whole_step = obstacle.empty();
-   for (real_t share = 0.5;
-        !obstacle.empty() && !from_start && share >= least_share; share *= 0.5)
+   whole_step = obstacle.empty() && most == 1.0;
+   for (real_t share = 0.5 * most;
+        !obstacle.empty() && may_be_short && share >= least_share * most;
+        share *= 0.5)
    {
       Add(-share, stage, multipliers);
       obstacle = FindObstacle(stage, limit, tolerance);
@@ -232,6 +241,18 @@ PrimalDualNewton::MultiplierSteps PrimalDualNewton::FindMultiplierSteps() const
          tie->FindMultiplierStep(displacement, step.GetBlock(1)));
    }
    return steps;
+}
+
+bool PrimalDualNewton::SupportsMove(const ImplicitStage &stage,
+                                    const Vector &displacement) const
+{
+   constexpr real_t round_off = 1e-9;
+   Vector moved(stage.u);
+   moved -= stage.u0;
+   const auto largest = [this](const Vector &x) {
+      return MaxOverRanks(x.Size() > 0 ? x.Normlinf() : 0.0, spaces.GetComm());
+   };
+   return largest(moved) > round_off * largest(displacement);
 }
 
 void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,

@@ -58,6 +58,10 @@ private:
    /// Adds as much of the Newton step as the bodies can take and as doesn't
    /// make the residual grow; fails if that is next to nothing.
    bool TakeStep(ImplicitStage &stage, const ResidualTolerance &tolerance);
+   /// Whether a stage that begins at rest has supports that move, beside a
+   /// step's @a displacement.
+   bool SupportsMove(const ImplicitStage &stage,
+                     const mfem::Vector &displacement) const;
    MultiplierSteps FindMultiplierSteps() const;
    /// Adds a part of the step, and of the multipliers'.
    void Add(mfem::real_t share, ImplicitStage &stage,

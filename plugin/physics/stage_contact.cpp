@@ -26,10 +26,21 @@ void StageContact::Start(ImplicitStage &stage, TouchRule rule)
    Search(stage);
    for (ContactPair *pair : pairs)
    {
-      AugmentedLagrangian &enforcement = pair->Enforcement();
-      enforcement.StartStage(stage.time);
-      enforcement.Evaluate(stage.u, stage.p);
-      enforcement.UpdateActiveSet(rule);
+      pair->Enforcement().StartStage(stage.time);
+      pair->Enforcement().Evaluate(stage.u, stage.p);
+   }
+   if (!equations.Bodies().IsLinear() && !stage.from_start && Overlaps())
+   {
+      stage.BeginAtRest();
+      Search(stage);
+      for (ContactPair *pair : pairs)
+      {
+         pair->Enforcement().Evaluate(stage.u, stage.p);
+      }
+   }
+   for (ContactPair *pair : pairs)
+   {
+      pair->Enforcement().UpdateActiveSet(rule);
    }
    for (TiedInterface *tie : interfaces)
    {
@@ -37,6 +48,49 @@ void StageContact::Start(ImplicitStage &stage, TouchRule rule)
    }
    CatchPushed(stage);
    equations.UpdateDrainedDofs(stage);
+}
+
+bool StageContact::Overlaps() const
+{
+   bool any = false;
+   for (const ContactPair *pair : pairs)
+   {
+      const ContactCoverage &coverage = pair->Constraint().Coverage();
+      for (int j = 0; j < coverage.area.Size(); j++)
+      {
+         any = any || (coverage.area[j] > 0.0 &&
+                       pair->State().gap[j] < -coverage.GrazingGap(j));
+      }
+   }
+   return AnyRank(any, comm);
+}
+
+real_t StageContact::ShareBeforeOverlap(const Vector &displacement) const
+{
+   // Where a ray grazes the source, its hit moves much farther than surfaces
+   // do.
+   const real_t farthest =
+      2.0 * MaxOverRanks(
+               displacement.Size() > 0 ? displacement.Normlinf() : 0.0, comm);
+   real_t share = 1.0;
+   for (const ContactPair *pair : pairs)
+   {
+      const ContactCoverage &coverage = pair->Constraint().Coverage();
+      Vector closing(coverage.area.Size());
+      pair->Factors().gap_change->Mult(-1.0, displacement, 0.0, closing);
+      closing.HostRead();
+      for (int j = 0; j < closing.Size(); j++)
+      {
+         const real_t room =
+            std::max(pair->State().gap[j], 0.0) + coverage.GrazingGap(j);
+         const real_t closes = std::min(closing[j], farthest);
+         if (coverage.area[j] > 0.0 && closes > room)
+         {
+            share = std::min(share, room / closes);
+         }
+      }
+   }
+   return -MaxOverRanks(-share, comm);
 }
 
 void StageContact::Search(const ImplicitStage &stage)

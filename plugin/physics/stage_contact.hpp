@@ -38,8 +38,12 @@ public:
                 SolveRecord &record);
 
    /// Searches, and decides by @a rule what touches at the first guess of the
-   /// stage.
+   /// stage. One of nonlinear bodies in which surfaces overlap is taken back:
+   /// what a force presses is slowed down by what resists it.
    void Start(ImplicitStage &stage, TouchRule rule);
+   /// The part of a step after which no surfaces overlap by more than a small
+   /// part of the size of their faces that didn't before.
+   mfem::real_t ShareBeforeOverlap(const mfem::Vector &displacement) const;
    /// Decides anew what touches, from the gaps as they were evaluated last and
    /// trial tractions of @a stiffness; says whether anything changed.
    bool Update(ImplicitStage &stage, ContactStiffness stiffness);
@@ -69,6 +73,9 @@ public:
 
 private:
    void Search(const ImplicitStage &stage);
+   /// Whether surfaces overlap by more than a small part of the size of their
+   /// faces.
+   bool Overlaps() const;
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.
    bool CatchPushed(ImplicitStage &stage);

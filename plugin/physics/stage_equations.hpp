@@ -24,6 +24,22 @@ struct ImplicitStage : BodyStage
    RigidPoses poses;
    /// Whether the bodies' part is that of BodyForm::MultFromStart().
    bool from_start = false;
+   /// The guess that all but supports rests where the stage began.
+   struct Rest
+   {
+      mfem::Vector u;
+      mfem::Vector p;
+      RigidPoses poses;
+   } rest;
+
+   /// Takes that guess.
+   void BeginAtRest()
+   {
+      u = rest.u;
+      p = rest.p;
+      poses = rest.poses;
+      from_start = true;
+   }
 };
 
 /// How forces and fluid balance in a stage.

@@ -50,9 +50,9 @@ StageSolver::StageSolver(const std::vector<Body> &bodies,
 
 bool StageSolver::Solve(ImplicitStage &stage, TouchRule touch)
 {
-   direction.LinearizeStart(stage);
    equations.SetTimeStep(stage.dt);
    contact.Start(stage, touch);
+   direction.LinearizeStart(stage);
    ResidualTolerance tolerance = rule.Find(stage, linear.ForcePerVolume());
    if (!method->Solve(stage, tolerance))
    {

@@ -20,7 +20,7 @@ import section
 from synovia_output import Output, OutputError
 
 LOADED = 100.0          # the end of the displacement, s
-NEAR_ENOUGH = 5.0       # fields may be off by this, s
+NEAR_ENOUGH = 0.05      # fields may be off by this part of that time
 LARGE_STRAIN = 0.1      # for which infinitesimal strain is not meant
 SIDES = ("medial", "lateral")
 KINDS = ("femur-tibia", "meniscus-femur", "tibia-meniscus")
@@ -48,13 +48,14 @@ class Slice:
 
 
 class Knee:
-    """A run, and its fields at the end of the displacement.
+    """A run, and its fields when the load is whole.
 
     A run that has not come that far yet gives those of the latest time.
     """
 
-    def __init__(self, out: Output):
+    def __init__(self, out: Output, loaded: float = LOADED):
         self.out = out
+        self.loaded = loaded
         self.history = out.history()
         there = report_history.pair_names(self.history)
         missing = [pair for pair in PAIRS if pair not in there]
@@ -67,12 +68,13 @@ class Knee:
         self.time = self._time()
 
     def _time(self) -> float:
-        time = min(self.times, key=lambda t: abs(t - LOADED), default=np.inf)
-        unfinished = self.times and self.times[-1] < LOADED
-        if abs(time - LOADED) > NEAR_ENOUGH and not unfinished:
+        time = min(self.times, key=lambda t: abs(t - self.loaded),
+                   default=np.inf)
+        unfinished = self.times and self.times[-1] < self.loaded
+        if abs(time - self.loaded) > self._slack and not unfinished:
             raise OutputError(
-                f"'{self.out.directory}' has no fields near t = {LOADED:g}, "
-                "only at "
+                f"'{self.out.directory}' has no fields near t = "
+                f"{self.loaded:g}, only at "
                 f"{', '.join(f'{t:g}' for t in self.times) or 'no time'}")
         return time
 
@@ -85,8 +87,12 @@ class Knee:
         case = tomllib.loads(file.read_text(encoding="utf-8"))
         return case.get("physics", {}).get("deformation") == "finite"
 
+    @property
+    def _slack(self) -> float:
+        return NEAR_ENOUGH * self.loaded
+
     def stopped_early(self) -> bool:
-        return self.time < LOADED - NEAR_ENOUGH
+        return self.time < self.loaded - self._slack
 
     @functools.cached_property
     def bodies(self) -> knee_views.Bodies:
@@ -130,36 +136,44 @@ class Knee:
                 "knee's femoral cartilage, two tibial ones and two menisci")
         return {FEMUR: femur.pop(), **found}
 
-    def surface(self, pair: str):
-        """The pair's destination, undeformed."""
+    def surface(self, pair: str, time: float | None = None):
+        """The pair's destination, undeformed, with its fields of a time."""
         name = f"contact_{pair}"
         times = self.out.field_times(name)
         if not times:
             raise OutputError(f"the collection '{name}' of "
                               f"'{self.out.directory}' has no times")
-        return self.out.fields(name, times[0])
+        return self.out.fields(name, times[0] if time is None else time)
 
     @functools.cached_property
     def surfaces(self) -> dict[str, object]:
         return {name: surface_of(body) for name, body in self.bodies.items()}
 
-    def outline(self, pair: str) -> list[np.ndarray]:
+    def outline(self, pair: str, time: float | None = None
+                ) -> list[np.ndarray]:
         """Points on the deformed edges of a pair's destination.
 
         The coordinates of each edge in turn: lines that needn't be joined.
         """
-        surface = section.merged(self.surface(pair)).extract_surface(
-            nonlinear_subdivision=1)
-        kind, side = pair.rsplit("-", 1)
-        tissue = DESTINATIONS.get(kind, "meniscus")
-        body = self.bodies[f"{tissue}_{side}"]
-        nearest = cKDTree(body.points).query(surface.points)[1]
-        surface.points += body["displacement"][nearest]
+        surface = self.deformed_surface(
+            pair, self.time if time is None else time)
         edges = surface.extract_feature_edges(
             boundary_edges=True, feature_edges=False, manifold_edges=False,
             non_manifold_edges=False)
         strips = edges.strip(join=True)
         return [strips.points[strip] for strip in split_lines(strips.lines)]
+
+    def deformed_surface(self, pair: str, time: float):
+        """A pair's destination where it is at a time, with its fields."""
+        surface = section.merged(self.surface(pair, time)).extract_surface(
+            nonlinear_subdivision=1).triangulate()
+        kind, side = pair.rsplit("-", 1)
+        tissue = DESTINATIONS.get(kind, "meniscus")
+        body = (self.bodies if time == self.time
+                else self.bodies_at(time))[f"{tissue}_{side}"]
+        nearest = cKDTree(body.points).query(surface.points)[1]
+        surface.points += body["displacement"][nearest]
+        return surface
 
     @functools.cached_property
     def slices(self) -> dict[str, Slice]:

@@ -173,7 +173,8 @@ TEST_CASE("The radius within which pushed spheres stick")
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
-      CAPTURE(report.last_failure, report.time / long_time, report.solve.newton);
+      CAPTURE(report.last_failure, report.time / long_time,
+              report.solve.newton);
       REQUIRE(report.converged);
       CHECK(report.failures == 0);
       CHECK(report.solve.newton <= 9);

@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+"""Pictures of the knee under body weight, beside published measurements.
+
+Reads OUT, the output directory of miniapps/cases/knee_body_weight.toml, and
+draws
+
+  pressure_loaded.png   contact pressure on the tibia and below the menisci, from
+                        above, when the load is whole
+  pressure_held.png     the same at the end
+  area.png              contact area on the tibia against time, all of it and
+                        the menisci's part
+  peak.png              peak contact stress there against time
+  shares.png            the parts of the force that go through the menisci and
+                        the medial side, and that the fluid bears, against time
+  approach.png          how far the femur came down against time
+  knee_body_weight.png  all of them
+
+Areas and stresses are those on the tibia: of the cartilages that the femur
+touches, and below the menisci. Units are mm, N, s, MPa.
+"""
+
+from __future__ import annotations
+
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "lib"))
+
+import missing_module  # noqa: E402,F401
+
+import numpy as np  # noqa: E402
+from matplotlib.figure import FigureBase  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.tri import Triangulation  # noqa: E402
+
+import figure_style as style  # noqa: E402
+import knee_run  # noqa: E402
+import plot_script  # noqa: E402
+import section  # noqa: E402
+from figure_style import plt  # noqa: E402
+from knee_run import SIDES, Knee  # noqa: E402
+from synovia_output import Output  # noqa: E402
+
+LOADED = 1.0                # s
+ON_TIBIA = ("femur-tibia", "tibia-meniscus")
+BODY = "rigid_body.femur."
+LEVELS = 12
+# What is less bears nothing that could be seen (of the largest pressure).
+FAINT = 0.01
+# Fukubayashi & Kurosawa, Acta Orthop Scand 51:871-879, 1980: seven knees,
+# 1000 N, extended, with menisci
+MEASURED_AREA, MEASURED_PEAK = 1150.0, 3.0
+MEASURED = "1000 N, Fukubayashi & Kurosawa 1980"
+TIBIA = {"color": "#E4EDF3"}
+MENISCUS = {"color": style.GRAY, "linewidth": 0.7}
+
+
+def on_tibia(knee: Knee, column: str) -> np.ndarray:
+    """A column of what lies on the tibia, by pair and time."""
+    return np.array([knee.history[f"contact.{kind}-{side}.{column}"]
+                     for kind in ON_TIBIA for side in SIDES])
+
+
+def area(knee: Knee, kinds: tuple[str, ...] = ON_TIBIA) -> np.ndarray:
+    return np.sum([knee.history[f"contact.{kind}-{side}.area"]
+                   for kind in kinds for side in SIDES], axis=0)
+
+
+def peak_stress(knee: Knee) -> np.ndarray:
+    return on_tibia(knee, "peak_traction").max(axis=0)
+
+
+def fluid_share(knee: Knee) -> np.ndarray:
+    """Of the force on the tibia, in %."""
+    forces = np.abs(on_tibia(knee, "force_z"))
+    borne = forces * on_tibia(knee, "fluid_load_support")
+    return 100 * borne.sum(axis=0) / np.maximum(forces.sum(axis=0), 1e-12)
+
+
+def meniscal_share(knee: Knee) -> np.ndarray:
+    return knee.share(knee.force(("meniscus-femur",)))
+
+
+def pressure_maps(knee: Knee, time: float) -> dict[str, tuple]:
+    """By pair: where its destination is, triangles, and contact pressure."""
+    found = {}
+    for kind in ON_TIBIA:
+        for side in SIDES:
+            surface = knee.deformed_surface(f"{kind}-{side}", time)
+            found[f"{kind}-{side}"] = (
+                surface.points[:, :2], section.triangles_of(surface),
+                surface["contact_pressure"])
+    return found
+
+
+def largest_pressure(knee: Knee) -> float:
+    return max(float(values.max())
+               for time in (knee.time, knee.times[-1])
+               for _, _, values in pressure_maps(knee, time).values())
+
+
+def pressure(axes: plt.Axes, knee: Knee, time: float) -> None:
+    """Contact pressure in steps of color on the deformed surfaces."""
+    most = largest_pressure(knee)
+    levels = np.linspace(0, most, LEVELS + 1)
+    levels[0] = FAINT * most
+    maps = pressure_maps(knee, time)
+    for side in SIDES:
+        points, triangles, _ = maps[f"femur-tibia-{side}"]
+        axes.tripcolor(Triangulation(*points.T, triangles),
+                       np.zeros(len(triangles)), rasterized=True,
+                       cmap=style.plt.matplotlib.colors.ListedColormap(
+                           [TIBIA["color"]]))
+    for points, triangles, values in maps.values():
+        # Folded edges have no area from above.
+        filled = axes.tricontourf(
+            Triangulation(*points.T, upright(points, triangles)), values,
+            levels, cmap="viridis_r")
+    for side in SIDES:
+        for line in knee.outline(f"tibia-meniscus-{side}", time):
+            axes.plot(line[:, 0], line[:, 1], **MENISCUS)
+        x = knee.bodies[f"tibial_cartilage_{side}"].center[0]
+        axes.annotate(side, (x, 1.0), xytext=(0, 2), ha="center", va="bottom",
+                      xycoords=axes.get_xaxis_transform(), fontsize=8,
+                      textcoords="offset points", color=style.GRAY)
+    axes.set(xlabel="$x$ (mm)", ylabel="$y$ (mm), anterior up",
+             aspect="equal")
+    axes.set_title(f"Contact pressure, {in_words(time)}", pad=14)
+    plt.colorbar(filled, ax=axes, label="contact pressure (MPa)",
+                 ticks=levels[1:][1::2], format="%.2f", aspect=25, pad=0.02)
+
+
+def upright(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Triangles that have an area."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    doubled = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    return triangles[np.abs(doubled) > 1e-6 * np.abs(doubled).max()]
+
+
+def in_words(time: float) -> str:
+    return f"{time:.3g} s" if time < 60 else f"{time / 60:.3g} min"
+
+
+def against_time(axes: plt.Axes, knee: Knee, label: str) -> None:
+    """On a scale that shows the loading and the holding."""
+    axes.axvline(LOADED, color=style.GRAY, linewidth=0.7,
+                 linestyle=(0, (1, 2)))
+    axes.set_xscale("log")
+    axes.set(xlabel="time (s)", ylabel=label, ylim=(0, None),
+             xlim=(knee.history["t"][0], knee.history["t"][-1]))
+
+
+def areas(axes: plt.Axes, knee: Knee) -> None:
+    t = knee.history["t"]
+    axes.plot(t, area(knee), color="black", label="all")
+    axes.plot(t, area(knee, ("tibia-meniscus",)), color=style.ORANGE,
+              label="below the menisci")
+    axes.plot(t, area(knee, ("femur-tibia",)), color=style.BLUE,
+              label="femur on tibia")
+    axes.axhline(MEASURED_AREA, **style.REFERENCE)
+    against_time(axes, knee, "contact area (mm²)")
+    axes.set_title("Contact area on the tibia")
+
+
+def peak(axes: plt.Axes, knee: Knee) -> None:
+    t = knee.history["t"]
+    for kind, color in (("femur-tibia", style.BLUE),
+                        ("tibia-meniscus", style.ORANGE)):
+        axes.plot(t, np.max([knee.history[f"contact.{kind}-{side}.peak_traction"]
+                             for side in SIDES], axis=0), color=color)
+    axes.axhline(MEASURED_PEAK, **style.REFERENCE)
+    against_time(axes, knee, "peak contact stress (MPa)")
+    axes.set_title("Peak contact stress")
+
+
+def shares(axes: plt.Axes, knee: Knee) -> None:
+    t = knee.history["t"]
+    axes.plot(t, fluid_share(knee), color=style.SKY, label="by the fluid")
+    axes.plot(t, knee.share(knee.force(sides=("medial",))), color=style.RED,
+              label="on the medial side")
+    axes.plot(t, meniscal_share(knee), color=style.ORANGE,
+              label="by way of the menisci")
+    against_time(axes, knee, "share of the force (%)")
+    axes.set_ylim(0, 105)
+    axes.set_title("Who bears the force")
+    axes.legend(loc="lower left")
+
+
+def approach(axes: plt.Axes, knee: Knee) -> None:
+    t = knee.history["t"]
+    axes.plot(t, -knee.history[f"{BODY}translation_z"], color="black")
+    against_time(axes, knee, "femur's way down (mm)")
+    axes.set_title("Approach")
+
+
+def area_legend(figure: FigureBase) -> None:
+    figure.legend(handles=[
+        Line2D([], [], color="black", label="all"),
+        Line2D([], [], color=style.BLUE, label="femur on tibia"),
+        Line2D([], [], color=style.ORANGE, label="below the menisci"),
+        Line2D([], [], label=MEASURED, **style.REFERENCE)],
+        loc="outside lower center", ncols=4)
+
+
+def panels_of(knee: Knee) -> dict:
+    return {
+        "pressure_loaded": lambda axes: pressure(axes, knee, knee.time),
+        "pressure_held": lambda axes: pressure(axes, knee, knee.times[-1]),
+        "area": lambda axes: areas(axes, knee),
+        "peak": lambda axes: peak(axes, knee),
+        "shares": lambda axes: shares(axes, knee),
+        "approach": lambda axes: approach(axes, knee)}
+
+
+def draw(knee: Knee, folder: pathlib.Path) -> None:
+    style.use_style()
+    panels = panels_of(knee)
+    for name, panel in panels.items():
+        is_map = name.startswith("pressure")
+        figure, axes = plt.subplots(figsize=(5.0, 3.6) if is_map
+                                    else (3.4, 3.0))
+        panel(axes)
+        if name in ("area", "peak"):
+            area_legend(figure)
+        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
+        plt.close(figure)
+    figure = plt.figure(figsize=(11.0, 7.0))
+    maps, curves = figure.subfigures(2, 1, height_ratios=(3.9, 3.1))
+    places = [*maps.subplots(1, 2), *curves.subplots(1, 4)]
+    for letter, axes, panel in zip("abcdef", places, panels.values()):
+        panel(axes)
+        axes.set_title(f"({letter}) {axes.get_title(loc='left')}",
+                       pad=14 if letter in "ab" else None)
+    area_legend(curves)
+    figure.savefig(folder / "knee_body_weight.png", dpi=200)
+    plt.close(figure)
+
+
+def findings(knee: Knee) -> str:
+    t = knee.history["t"]
+    lines = []
+    for time in sorted({LOADED, 10.0, 60.0, float(t[-1])}):
+        i = int(np.argmin(np.abs(t - time)))
+        medial = knee.share(knee.force(sides=("medial",)))[i]
+        lines.append(
+            f"t = {t[i]:.4g} s: {knee.force()[i]:.5g} N, medial {medial:.0f} "
+            f"%, by way of the menisci {meniscal_share(knee)[i]:.0f} %; "
+            f"{area(knee)[i]:.0f} mm^2, of these "
+            f"{area(knee, ('tibia-meniscus',))[i]:.0f} below the menisci; "
+            f"peak stress {peak_stress(knee)[i]:.2f} MPa, peak pressure "
+            f"{knee.history['fluid.peak_pressure'][i]:.2f} MPa, borne by the "
+            f"fluid {fluid_share(knee)[i]:.0f} %; down by "
+            f"{-knee.history[BODY + 'translation_z'][i]:.2f} mm")
+    return "\n".join(lines)
+
+
+def pictures(out: Output, folder: pathlib.Path) -> str:
+    knee = Knee(out, LOADED)
+    draw(knee, folder)
+    return findings(knee)
+
+
+def main(argv: list[str] | None = None) -> int:
+    return plot_script.run(argv, __doc__, "knee_body_weight", pictures)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
