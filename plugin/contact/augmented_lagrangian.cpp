@@ -200,8 +200,12 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
       state.jump_weights[j] =
          Exchanges(j) ? area[j] * penalties.Jump()[j] : 0.0;
    }
-   // A predicted slip is no better.
-   if (friction && phase != Phase::prediction)
+   if (friction && phase == Phase::prediction)
+   {
+      friction->PredictSliding(TrialTractions(trial_stiffness), all_before,
+                               GapStiffnesses(trial_stiffness), state);
+   }
+   else if (friction)
    {
       changed = friction->UpdateSliding(
                    TrialTractions(trial_stiffness), all_before,

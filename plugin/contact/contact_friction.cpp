@@ -307,6 +307,30 @@ void ContactFriction::LagLimits(const Vector &normal, const Vector &pressing,
    }
 }
 
+void ContactFriction::PredictSliding(const Vector &normal,
+                                     const std::vector<VertexContact> &before,
+                                     const Vector &stiffness,
+                                     ContactState &state)
+{
+   FrictionState &friction = state.friction;
+   for (std::size_t i = 0; i < before.size(); i++)
+   {
+      VertexSlip &vertex = friction.vertices[i];
+      const int j = static_cast<int>(i);
+      if (!state.vertices[i].touches)
+      {
+         vertex.slides = false;
+      }
+      else if (!before[i].touches)
+      {
+         // Held where it goes on to slide, it would shear the bodies to pieces.
+         vertex.slides = Length(Trial(friction, j, stiffness[j])) >
+                         law.Limit(normal[j], friction.pressure[j]);
+      }
+   }
+   sliding_changed = false;
+}
+
 bool ContactFriction::UpdateSliding(const Vector &normal,
                                     const std::vector<VertexContact> &before,
                                     const Vector &stiffness,

@@ -65,6 +65,12 @@ public:
    /// them: their derivatives would lead astray. Not collective.
    void LagLimits(const mfem::Vector &normal, const mfem::Vector &pressing,
                   ContactState &state);
+   /// Decides of what comes into contact whether it slides at the first guess
+   /// of a stage, as UpdateSliding() does; all else stays, as a predicted slip
+   /// is no better than a predicted gap. Not collective.
+   void PredictSliding(const mfem::Vector &normal,
+                       const std::vector<VertexContact> &before,
+                       const mfem::Vector &stiffness, ContactState &state);
    /// Decides what slides under these @a normal tractions, with trials of this
    /// @a stiffness (stress / length); says whether anything changed on any
    /// rank.
