@@ -283,7 +283,8 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .From(1, 100000);
    keys
       .Value("max_newton", solver.max_newton, "",
-             "most Newton iterations for one set of multipliers")
+             "most Newton iterations for one set of multipliers, in finite "
+             "deformation for one search of contact")
       .From(1, 1000);
    keys
       .Value("max_augmentations", solver.max_augmentations, "",

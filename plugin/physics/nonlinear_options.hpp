@@ -9,7 +9,8 @@ namespace synovia
 struct NonlinearOptions
 {
    /// Most iterations of Newton's method: for one set of multipliers, or in
-   /// finite deformation, where each iteration has new ones, for a stage.
+   /// finite deformation, where each iteration has new ones, for a stage; there
+   /// each search of contact that a solution gives rise to begins anew.
    int max_newton = 30;
    /// Most augmentations of a stage; finite deformation has none beside the
    /// iterations.
