@@ -267,7 +267,7 @@ TEST_CASE("The history has force, moment and flow of each tie")
          -ValueIn(row, "fluid.outflow"));
 }
 
-TEST_CASE("A tie holds in all steps and is never released")
+TEST_CASE("A tie holds in all steps until one releases it")
 {
    const std::string steps = Replaced(good, "end = 20\n", "") +
                              "[[step]]\nname = \"press\"\nduration = 10\n"
@@ -276,8 +276,13 @@ TEST_CASE("A tie holds in all steps and is never released")
       CasesOfSteps(ParseCase(steps, "case.toml"));
    REQUIRE(cases.size() == 2);
    CheckGood(cases[1].setup);
-   CHECK_THAT(ErrorOfStack(steps + "release = \"glue\"\n"),
-              Contains("step.1.release.0") && Contains("called \"glue\""));
+   const std::vector<CaseOfStep> released =
+      CasesOfSteps(ParseCase(steps + "release = \"glue\"\n", "case.toml"));
+   REQUIRE(released.size() == 2);
+   CheckGood(released[0].setup);
+   CHECK(released[1].setup.ties.empty());
+   CHECK_THAT(ErrorOfStack(steps + "release = \"clue\"\n"),
+              Contains("step.1.release.0") && Contains("called \"clue\""));
 }
 
 TEST_CASE("A run with a tie goes on from a checkpoint")
