@@ -103,7 +103,7 @@ bool PrimalDualNewton::SolveSystem(real_t target,
 {
    const real_t compliance = options.tuning.newton.multiplier_compliance;
    // Multipliers of a set that changes are not worth the iterations.
-   if (set_rests && compliance > 0.0)
+   if (set_rests && compliance > 0.0 && !contact.Pairs().empty())
    {
       return direction.Solve(residual, target, tolerance, compliance, step,
                              changes);
@@ -115,9 +115,11 @@ bool PrimalDualNewton::SolveSystem(real_t target,
 bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
                                       const ResidualTolerance &tolerance)
 {
-   // Slip that a linear system predicts is none.
-   const int most =
-      contact.HasFriction() ? 0 : options.tuning.newton.max_first_sets;
+   // Slip that a linear system predicts is none, and what a force moves alone
+   // is stopped where surfaces would overlap (TakeStep()).
+   const bool predicts = !contact.HasFriction() &&
+                         SupportsMove(stage, equations.DisplacementIn(step));
+   const int most = predicts ? options.tuning.newton.max_first_sets : 0;
    bool changed = true;
    for (int i = 0; i < most && changed; i++)
    {
