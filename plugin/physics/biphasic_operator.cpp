@@ -164,6 +164,8 @@ void BiphasicOperator::Guess(real_t dt, ImplicitStage &stage)
 {
    stage.u = stage.u0;
    stage.p = stage.p0;
+   stage.u.HostReadWrite();
+   stage.p.HostReadWrite();
    for (int i = 0; i < stage.u.Size(); i++)
    {
       stage.u[i] += dt * rate[i];

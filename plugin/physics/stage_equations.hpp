@@ -37,6 +37,9 @@ struct ImplicitStage : BodyStage
    {
       u = rest.u;
       p = rest.p;
+      // Contact and loads are evaluated on the host.
+      u.HostReadWrite();
+      p.HostReadWrite();
       poses = rest.poses;
       from_start = true;
    }

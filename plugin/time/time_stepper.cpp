@@ -300,6 +300,12 @@ StepReport TimeStepper::Step()
    while (again)
    {
       const real_t target = Target();
+      // Blocks may have been used where MFEM's device has them.
+      for (int i = 0; i < state.NumBlocks(); i++)
+      {
+         state.GetBlock(i).HostReadWrite();
+      }
+      state.SyncFromBlocks();
       Attempt result(state);
       result.step.dt = report.dt = target - time;
       const int first_solve = recorder.Solves();
