@@ -14,15 +14,7 @@ Tensor3<> AxesFromAngles(real_t theta, real_t phi)
 {
    const Point3 a = FromAngles(theta, phi);
    const Point3 b = FromAngles(theta + 90.0, 90.0);
-   const Point3 c = Cross(a, b);
-   Tensor3<> axes;
-   for (int i = 0; i < 3; i++)
-   {
-      axes[i][0] = a[i];
-      axes[i][1] = b[i];
-      axes[i][2] = c[i];
-   }
-   return axes;
+   return InColumns({a, b, Cross(a, b)});
 }
 
 // What is parallel to the first axis is no second one.
@@ -89,34 +81,25 @@ FebAxes CylindricalAxes(const FebInput &from, const FebElements &elements)
    {
       const Point3 outward =
          UnitVector(FromAxis(elements.Center(cell, part), center, axis), from);
-      Tensor3<> turned;
+      std::array<Point3, 3> columns;
       for (int j = 0; j < 3; j++)
       {
-         const Point3 column =
+         columns[j] =
             Turned(x_axis, outward,
                    {result.axes[0][j], result.axes[1][j], result.axes[2][j]});
-         for (int i = 0; i < 3; i++)
-         {
-            turned[i][j] = column[i];
-         }
       }
-      return turned;
+      return InColumns(columns);
    };
    return result;
 }
 
 FebAxes SphericalAxes(const FebInput &from, const FebElements &elements)
 {
-   const Point3 center = VectorIn(from, "center", {{0.0, 0.0, 0.0}});
-   const Point3 vector = DirectionIn(from, "vector", x_axis);
    FebAxes result;
    result.at_centers = true;
-   result.of_element = [=](const FebCell &cell, int part)
-   {
-      const Point3 outward =
-         UnitVector(Sum(elements.Center(cell, part), -1.0, center), from);
-      return AxesWith(Turned(x_axis, outward, vector), from);
-   };
+   result.of_element = [from, vectors = SphericalVectors(from, elements)](
+                          const FebCell &cell, int part)
+   { return AxesWith(vectors(cell, part), from); };
    return result;
 }
 

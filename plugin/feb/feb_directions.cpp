@@ -45,6 +45,19 @@ Point3 Turned(const Point3 &from, const Point3 &to, const Point3 &vector)
    return Sum(Sum(vector, 1.0, once), 1.0 / (1.0 + cosine), Cross(axis, once));
 }
 
+std::function<Point3(const FebCell &, int part)>
+SphericalVectors(const FebInput &from, const FebElements &elements)
+{
+   const Point3 center = VectorIn(from, "center", {{0.0, 0.0, 0.0}});
+   const Point3 vector = DirectionIn(from, "vector", x_axis);
+   return [=](const FebCell &cell, int part)
+   {
+      const Point3 outward =
+         UnitVector(Sum(elements.Center(cell, part), -1.0, center), from);
+      return Turned(x_axis, outward, vector);
+   };
+}
+
 Point3 FromAxis(const Point3 &point, const Point3 &center, const Point3 &axis)
 {
    const Point3 vector = Sum(point, -1.0, center);

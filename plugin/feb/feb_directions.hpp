@@ -24,6 +24,12 @@ Point3 FromAngles(mfem::real_t theta, mfem::real_t phi);
 /// turn is about z.
 Point3 Turned(const Point3 &from, const Point3 &to, const Point3 &vector);
 
+/// The element vector in @a from, for each cell of a part, turned as the first
+/// axis is turned outwards from the element center. Borrows what @a elements
+/// does.
+std::function<Point3(const FebCell &, int part)>
+SphericalVectors(const FebInput &from, const FebElements &elements);
+
 /// The vector to a point from the nearest one of an axis.
 Point3 FromAxis(const Point3 &point, const Point3 &center, const Point3 &axis);
 

@@ -158,19 +158,24 @@ Point3 UnitVector(const Point3 &vector, const FebInput &where)
    return {vector[0] / length, vector[1] / length, vector[2] / length};
 }
 
+Tensor3<> InColumns(const std::array<Point3, 3> &columns)
+{
+   Tensor3<> tensor;
+   for (int i = 0; i < 3; i++)
+   {
+      for (int j = 0; j < 3; j++)
+      {
+         tensor[i][j] = columns[j][i];
+      }
+   }
+   return tensor;
+}
+
 Tensor3<> AxesAcross(const Point3 &a, const Point3 &d, const FebInput &where)
 {
    const Point3 first = UnitVector(a, where);
    const Point3 third = UnitVector(Cross(first, d), where);
-   const Point3 second = Cross(third, first);
-   Tensor3<> axes;
-   for (int i = 0; i < 3; i++)
-   {
-      axes[i][0] = first[i];
-      axes[i][1] = second[i];
-      axes[i][2] = third[i];
-   }
-   return axes;
+   return InColumns({first, Cross(third, first), third});
 }
 
 Point3 ReadVector(const FebInput &from)

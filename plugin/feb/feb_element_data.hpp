@@ -31,6 +31,9 @@ std::vector<long long> ElementsOfSet(const std::string &name,
 /// is zero.
 Point3 UnitVector(const Point3 &vector, const FebInput &where);
 
+/// The tensor with these columns.
+Tensor3<> InColumns(const std::array<Point3, 3> &columns);
+
 /// Axes, in columns: the first along @a a, the third across @a a and @a d.
 Tensor3<> AxesAcross(const Point3 &a, const Point3 &d, const FebInput &where);
 

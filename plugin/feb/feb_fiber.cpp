@@ -37,16 +37,9 @@ FebDirection LocalFiber(const FebInput &from, const FebElements &elements)
 
 FebDirection SphericalFiber(const FebInput &from, const FebElements &elements)
 {
-   const Point3 center = VectorIn(from, "center", {{0.0, 0.0, 0.0}});
-   const Point3 vector = DirectionIn(from, "vector", x_axis);
    FebDirection result;
    result.at_centers = true;
-   result.of_element = [=](const FebCell &cell, int part)
-   {
-      const Point3 outward =
-         UnitVector(Sum(elements.Center(cell, part), -1.0, center), from);
-      return Turned(x_axis, outward, vector);
-   };
+   result.of_element = SphericalVectors(from, elements);
    return result;
 }
 

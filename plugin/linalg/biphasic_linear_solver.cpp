@@ -44,6 +44,18 @@ LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
                                               : LinearMethod::block_amg;
 }
 
+SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
+                     const Vector &b, FGMRESSolver &solver, Vector &x)
+{
+   solver.SetMaxIter(std::min(preconditioner.Patience(), most));
+   solver.Mult(b, x);
+   SolveAttempt attempt;
+   attempt.iterations = solver.GetNumIterations();
+   attempt.converged = solver.GetConverged();
+   attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
+   return attempt;
+}
+
 BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
                                            BiphasicSpaces &spaces,
                                            const LinearOptions &options_,
@@ -197,15 +209,11 @@ BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
          const PhaseTimer timer(result.setup_seconds, "setup");
          preconditioner->Update();
       }
-      solver.SetMaxIter(std::min(preconditioner->Patience(),
-                                 options.max_iterations - result.iterations));
       // A guess of zero need not be multiplied.
       solver.iterative_mode = result.iterations > 0;
-      solver.Mult(right_side, x);
-      SolveAttempt attempt;
-      attempt.iterations = solver.GetNumIterations();
-      attempt.converged = solver.GetConverged();
-      attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
+      const SolveAttempt attempt =
+         Attempt(*preconditioner, options.max_iterations - result.iterations,
+                 right_side, solver, x);
       result.converged = attempt.converged;
       result.iterations += attempt.iterations;
       result.decades -= std::log10(attempt.reduction);

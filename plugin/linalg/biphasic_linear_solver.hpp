@@ -87,6 +87,12 @@ protected:
    WorkCounts work;
 };
 
+/// Runs @a solver for @a b from @a x, as long as @a preconditioner, which is
+/// inside it, has patience, but no longer than @a most iterations. Collective.
+SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
+                     const mfem::Vector &b, mfem::FGMRESSolver &solver,
+                     mfem::Vector &x);
+
 /// Largest residual of each equation, as norms of true-dof vectors: force, and
 /// volume of fluid in a step.
 struct ResidualTolerance

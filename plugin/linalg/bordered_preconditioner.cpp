@@ -136,17 +136,12 @@ int BorderedPreconditioner::SolveColumn(const Vector &forces,
    bool again = true;
    while (again && iterations < most_iterations)
    {
-      solver.SetMaxIter(
-         std::min(inner->Patience(), most_iterations - iterations));
-      solver.Mult(forces, columns[column]);
-      if (solver.GetNumIterations() == 0)
+      const SolveAttempt attempt = Attempt(*inner, most_iterations - iterations,
+                                           forces, solver, columns[column]);
+      if (attempt.iterations == 0)
       {
          return iterations;
       }
-      SolveAttempt attempt;
-      attempt.iterations = solver.GetNumIterations();
-      attempt.converged = solver.GetConverged();
-      attempt.reduction = solver.GetFinalNorm() / solver.GetInitialNorm();
       iterations += attempt.iterations;
       again = inner->Report(attempt) && !attempt.converged;
       if (again)

@@ -146,14 +146,21 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    {
       stage.conserved0[i] = x[nu + np + i];
    }
-   Guess(0.0, stage);
-   stage.rest = {stage.u, stage.p, stage.poses};
+   if (!equations.Bodies().IsLinear())
+   {
+      Guess(0.0, stage);
+      stage.rest = {stage.u, stage.p, stage.poses};
+   }
    Guess(dt, stage);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
    const Vector pressure_rate(rate, nu, np);
    equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
    const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
-   if (no_guess || !equations.Bodies().Validate(stage).empty())
+   if (no_guess)
+   {
+      stage.from_start = true;
+   }
+   else if (!equations.Bodies().Validate(stage).empty())
    {
       stage.BeginAtRest();
    }

@@ -126,7 +126,8 @@ bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
       const Vector u(stage.u);
       const Vector p(stage.p);
       const RigidPoses poses(stage.poses);
-      const MultiplierSteps multipliers = FindMultiplierSteps();
+      const MultiplierSteps multipliers =
+         FindMultiplierSteps(equations.DisplacementIn(step));
       Add(1.0, stage, multipliers);
       equations.EvaluateContact(stage);
       changed = contact.Update(stage, ContactStiffness::bodies);
@@ -195,7 +196,8 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
                                 const ResidualTolerance &tolerance)
 {
    const real_t least_share = options.tuning.newton.shortest_step;
-   const MultiplierSteps multipliers = FindMultiplierSteps();
+   const Vector displacement = equations.DisplacementIn(step);
+   const MultiplierSteps multipliers = FindMultiplierSteps(displacement);
    // From the stage's start the step and the supports' increments go together,
    // and what there was is no measure for what there will be; nor is it where
    // tractions of friction are released or caught.
@@ -208,11 +210,9 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
       largest_residual = std::max(largest_residual, limit);
    }
    stage.from_start = false;
-   const bool may_be_short =
-      !from_start || !SupportsMove(stage, equations.DisplacementIn(step));
+   const bool may_be_short = !from_start || !SupportsMove(stage, displacement);
    const real_t most =
-      may_be_short ? contact.ShareBeforeOverlap(equations.DisplacementIn(step))
-                   : 1.0;
+      may_be_short ? contact.ShareBeforeOverlap(displacement) : 1.0;
    Add(most, stage, multipliers);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
    whole_step = obstacle.empty() && most == 1.0;
@@ -226,9 +226,9 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
    return obstacle.empty() || record.report.Fail(obstacle);
 }
 
-PrimalDualNewton::MultiplierSteps PrimalDualNewton::FindMultiplierSteps() const
+PrimalDualNewton::MultiplierSteps
+PrimalDualNewton::FindMultiplierSteps(const Vector &displacement) const
 {
-   const Vector displacement = equations.DisplacementIn(step);
    MultiplierSteps steps;
    for (const ContactPair *pair : contact.Pairs())
    {

@@ -62,7 +62,8 @@ private:
    /// step's @a displacement.
    bool SupportsMove(const ImplicitStage &stage,
                      const mfem::Vector &displacement) const;
-   MultiplierSteps FindMultiplierSteps() const;
+   /// In the step, which has this @a displacement.
+   MultiplierSteps FindMultiplierSteps(const mfem::Vector &displacement) const;
    /// Adds a part of the step, and of the multipliers'.
    void Add(mfem::real_t share, ImplicitStage &stage,
             const MultiplierSteps &multipliers);

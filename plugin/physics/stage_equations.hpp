@@ -24,7 +24,8 @@ struct ImplicitStage : BodyStage
    RigidPoses poses;
    /// Whether the bodies' part is that of BodyForm::MultFromStart().
    bool from_start = false;
-   /// The guess that all but supports rests where the stage began.
+   /// The guess that all but supports rests where the stage began; of
+   /// nonlinear bodies only.
    struct Rest
    {
       mfem::Vector u;

@@ -300,12 +300,7 @@ StepReport TimeStepper::Step()
    while (again)
    {
       const real_t target = Target();
-      // Blocks may have been used where MFEM's device has them.
-      for (int i = 0; i < state.NumBlocks(); i++)
-      {
-         state.GetBlock(i).HostReadWrite();
-      }
-      state.SyncFromBlocks();
+      ReadOnHost(state);
       Attempt result(state);
       result.step.dt = report.dt = target - time;
       const int first_solve = recorder.Solves();

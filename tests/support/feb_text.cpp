@@ -1,4 +1,5 @@
 #include "support/feb_text.hpp"
+#include "support/feb_column_parts.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -182,11 +183,7 @@ std::string FebGuidedColumn()
       {"</MeshDomains>",
        R"(	<ShellDomain name="wall" mat="wall"/>
 	</MeshDomains>)"},
-      {R"(<bc name="sides" node_set="all" type="zero displacement">
-			<x_dof>1</x_dof>
-			<y_dof>1</y_dof>
-			<z_dof>0</z_dof>
-		</bc>)",
+      {feb_column::fixed_sides,
        R"(<bc name="front" node_set="front" type="zero displacement">
 			<y_dof>1</y_dof>
 		</bc>
@@ -254,20 +251,11 @@ std::string FebSteppedColumn()
 			<center_of_mass>0.5,0.5,0</center_of_mass>
 		</material>
 	</Material>)"},
-      {R"(<bc name="support" node_set="bottom" type="zero displacement">
-			<x_dof>0</x_dof>
-			<y_dof>0</y_dof>
-			<z_dof>1</z_dof>
-		</bc>)",
+      {feb_column::fixed_bottom,
        R"(<bc name="support" node_set="bottom" type="rigid">
 			<rb>post</rb>
 		</bc>)"},
-      {R"(<bc name="sides" node_set="all" type="zero displacement">
-			<x_dof>1</x_dof>
-			<y_dof>1</y_dof>
-			<z_dof>0</z_dof>
-		</bc>)",
-       ""},
+      {feb_column::fixed_sides, ""},
       {R"(<rb>plate</rb><Rx_dof>1</Rx_dof>
 			<Ry_dof>1</Ry_dof>)",
        R"(<rb>post</rb><Rx_dof>1</Rx_dof>
