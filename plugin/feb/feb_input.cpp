@@ -38,7 +38,8 @@ bool ToInteger(const std::string &word, long long &value)
    char *end = nullptr;
    errno = 0;
    value = std::strtoll(word.c_str(), &end, 10);
-   return !word.empty() && *end == '\0' && errno == 0;
+   return !word.empty() && *end == '\0' && errno == 0 &&
+          value >= -largest_feb_number && value <= largest_feb_number;
 }
 } // namespace
 
@@ -89,7 +90,9 @@ long long FebInput::NeededNumber(const std::string &name) const
    long long number = 0;
    if (!text.empty() && !ToInteger(text, number))
    {
-      Stop("found " + name + "=\"" + text + "\"; it must be an integer");
+      Stop("found " + name + "=\"" + text +
+           "\"; it must be an integer of at most 15 digits");
+      return 0;
    }
    return number;
 }

@@ -9,6 +9,9 @@
 namespace synovia
 {
 
+/// Of nodes and elements: others can be numbered after it.
+constexpr long long largest_feb_number = 999999999999999;
+
 /// An element that is being read: all that it is asked for counts as read, and
 /// what is wrong with it is listed in the report.
 ///
@@ -31,7 +34,7 @@ public:
    /// Stops the import if it is not there.
    std::string NeededAttribute(const std::string &name) const;
 
-   /// Likewise, and it must be an integer; 0 if it isn't.
+   /// Likewise, and it must be an integer of at most 15 digits; 0 if it isn't.
    long long NeededNumber(const std::string &name) const;
 
    /// The first child of the name.

@@ -37,6 +37,7 @@ bool AddRange(const std::string &word, std::vector<long long> &numbers)
    }
    const long long last = count == 1 ? parts[0] : parts[1];
    if (*at != '\0' || parts[0] < 0 || last < parts[0] || parts[2] < 1 ||
+       parts[2] > largest_feb_number || last > largest_feb_number ||
        last - parts[0] > most_numbers)
    {
       return false;

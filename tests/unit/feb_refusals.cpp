@@ -76,6 +76,11 @@ TEST_CASE("What is not known in a model stops its import, with line and path")
             .find(Entry(line("<node id=\"2\""),
                         "Mesh/Nodes/node: found 2 coordinates; there must be "
                         "three")) == 0);
+   CHECK(Stopped("<node id=\"2\"", "<node id=\"9223372036854775807\"")
+            .find(Entry(line("<node id=\"2\""),
+                        "Mesh/Nodes/node: found "
+                        "id=\"9223372036854775807\"; it must be an integer "
+                        "of at most 15 digits")) == 0);
    CHECK(Stopped("mat=\"tissue\"", "mat=\"bone\"")
             .find("the elements \"body\" (line " +
                   std::to_string(line("<Elements")) + ") have no material") !=
