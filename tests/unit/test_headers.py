@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Each header of the library compiles alone, and includes what it names.
 
-A header that its own source includes first compiles alone if the library does;
-the others are compiled here. All come after MFEM's, which is precompiled:
+A header that its own source includes first compiles alone if the library does,
+unless folders are compiled as one file; the others are compiled here. All come after MFEM's, which is precompiled:
 parsing it 200 times would take a quarter of an hour. So that nobody has to
 include mfem.hpp first, each header that names something of MFEM or MPI must
 reach mfem.hpp by its includes, and each that names something of the standard
@@ -102,11 +102,18 @@ def is_first_of_source(header: str) -> bool:
         INCLUDE.findall(source.read_text())[:1] == [header]
 
 
-def compiler() -> list[str]:
-    """The command that checks a source of the library, without the source."""
+def compile_commands() -> dict[str, str]:
+    """Of the build, by source."""
     entries = json.loads((BUILD / "compile_commands.json").read_text())
-    library = [e for e in entries if e["file"] == str(PLUGIN / "general/error.cpp")]
-    words = shlex.split(library[0]["command"])
+    return {entry["file"]: entry["command"] for entry in entries}
+
+
+def compiler(commands: dict[str, str]) -> list[str]:
+    """The command that checks a source of the library, without the source."""
+    words = shlex.split(next(
+        command for file, command in commands.items()
+        if "CMakeFiles/synovia.dir/cmake_pch.hxx" in command
+        and not file.endswith("cmake_pch.hxx.cxx")))
     keep = []
     skip = False
     for word in words[:words.index("-c")]:
@@ -128,9 +135,12 @@ def compile_alone(command: list[str], directory: pathlib.Path,
 
 
 def main() -> None:
-    command = compiler()
+    commands = compile_commands()
+    command = compiler(commands)
+    by_folders = any("/Unity/" in file for file in commands)
     names = headers()
-    alone = [name for name in names if not is_first_of_source(name)]
+    alone = [name for name in names
+             if by_folders or not is_first_of_source(name)]
     seen: dict[str, set[str]] = {}
     errors = [error for name in names for error in missing_includes(name, seen)]
     with tempfile.TemporaryDirectory() as directory, \
