@@ -60,6 +60,8 @@ KeyTable NewtonKeys(NewtonTuning &newton)
    Add(keys, "forcing_factor", newton.forcing_factor,
        NumberRange::Inside(0.0, 10.0),
        "factor of Eisenstat and Walker's forcing term");
+   Add(keys, "curvature", newton.curvature, NumberRange::From(0.0, 1.0),
+       "what the first iteration leaves of a whole step's residual");
    Add(keys, "final_accuracy", newton.final_accuracy,
        NumberRange::Inside(0.0, 1.0),
        "what linear systems may leave in the end, in tolerances");
@@ -87,6 +89,8 @@ KeyTable NewtonKeys(NewtonTuning &newton)
        NumberRange::From(0, 1000),
        "most active sets for which the first system of a solve without a "
        "guess is solved");
+   Add(keys, "set_accuracy", newton.set_accuracy, NumberRange::Inside(0.0, 1.0),
+       "part of the residual that these systems but the last may leave");
    Add(keys, "max_early_searches", newton.max_early_searches,
        NumberRange::From(0, 1000),
        "most new searches of contact while the active set changes");

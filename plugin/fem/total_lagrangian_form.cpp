@@ -49,7 +49,7 @@ TotalLagrangianForm::TotalLagrangianForm(
    : mesh(mesh_), spaces(spaces_), materials(materials_), springs(springs_),
      loads(loads_), gravity(gravity_),
      matrices((VerifyLaws(mesh, materials), spaces), materials),
-     balance(spaces.GetComm()),
+     balance(spaces.GetComm()), start_balance(spaces.GetComm()),
      stiffness(spaces.Displacement(), spaces.Displacement()),
      growth(spaces.Pressure(), spaces.Displacement()),
      divergence(spaces.Pressure(), spaces.Displacement()),
@@ -169,6 +169,7 @@ void TotalLagrangianForm::StartStage(const BodyStage &stage,
                                      real_t rate_dt)
 {
    balance.Forget();
+   start_balance.Forget();
    if (smooth_stabilization)
    {
       smooth_stabilization->Mult(pressure_rate, relief);
@@ -179,17 +180,18 @@ void TotalLagrangianForm::StartStage(const BodyStage &stage,
 void TotalLagrangianForm::Mult(const BodyStage &stage, Vector &momentum,
                                Vector &mass) const
 {
-   Remember(stage);
+   Remember(stage, balance);
    momentum = balance.momentum;
    mass = balance.mass;
 }
 
-void TotalLagrangianForm::Remember(const BodyStage &stage) const
+void TotalLagrangianForm::Remember(const BodyStage &stage,
+                                   EvaluatedBalance &evaluated) const
 {
-   if (!balance.IsAt(stage))
+   if (!evaluated.IsAt(stage))
    {
-      balance.Set(stage);
-      Evaluate(stage, balance.momentum, balance.mass);
+      evaluated.Set(stage);
+      Evaluate(stage, evaluated.momentum, evaluated.mass);
    }
 }
 
@@ -342,7 +344,9 @@ void TotalLagrangianForm::MultFromStart(const BodyStage &stage,
    start.u = stage.u0;
    start.p = stage.p0;
    // The state that the stage is expected to end in is asked for again.
-   Evaluate(start, momentum, mass);
+   Remember(start, start_balance);
+   momentum = start_balance.momentum;
+   mass = start_balance.mass;
    Vector increment(stage.u);
    increment -= stage.u0;
    matrices.stiffness->Mult(1.0, increment, 1.0, momentum);
@@ -441,7 +445,7 @@ void TotalLagrangianForm::AddMagnitudes(real_t dt, const Vector &u_magnitude,
 
 std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
 {
-   Remember(stage);
+   Remember(stage, balance);
    if (balance.IsFinite())
    {
       return "";

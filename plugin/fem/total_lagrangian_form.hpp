@@ -67,8 +67,8 @@ private:
    void ToLocal(const BodyStage &stage) const;
    /// What loads are asked for at, after ToLocal().
    FollowerLoads::State ToLoads(const BodyStage &stage) const;
-   /// Brings balance to a stage.
-   void Remember(const BodyStage &stage) const;
+   /// Evaluates at a stage unless it was there last.
+   void Remember(const BodyStage &stage, EvaluatedBalance &evaluated) const;
    /// Mult() without what is remembered.
    void Evaluate(const BodyStage &stage, mfem::Vector &momentum,
                  mfem::Vector &mass) const;
@@ -111,6 +111,8 @@ private:
    const GravityLoads *gravity;
    VolumeMatrices matrices;
    mutable EvaluatedBalance balance;
+   /// Where stages start.
+   mutable EvaluatedBalance start_balance;
    std::unique_ptr<SmoothStabilization> smooth_stabilization;
    mfem::Vector relief;
    /// Magnitudes of what cancels in a body at rest, true dofs.

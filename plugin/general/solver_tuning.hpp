@@ -62,6 +62,11 @@ struct NewtonTuning
    /// Of Eisenstat and Walker's forcing term, factor of the squared reduction
    /// of the residual in the last iteration.
    mfem::real_t forcing_factor = 0.9;
+   /// Of the residual of a whole step, the part that is left of it by an
+   /// iteration whose linear system is solved exactly; of smaller residuals, a
+   /// smaller part in proportion. The first linear system of a step is solved
+   /// as accurately.
+   mfem::real_t curvature = 1e-3;
    /// What the linear systems of finite deformation may leave at most, in units
    /// of the nonlinear tolerance. Near 1, the last iteration may fail to reach
    /// it.
@@ -71,11 +76,11 @@ struct NewtonTuning
    /// fewer Newton iterations, each of which takes more linear ones. 0: the
    /// penalties close them.
    mfem::real_t multiplier_compliance = 0.02;
-   /// The last iteration of a solve keeps the tangents of bodies and contact:
-   /// one that leaves at most this, in tolerances, if the residual falls as it
-   /// did in the iteration before. Larger: fewer tangents, but more iterations.
-   /// 0: none does.
-   mfem::real_t kept_tangent = 3.0;
+   /// The last iterations of a solve keep the tangents of bodies and contact:
+   /// those that leave at most this, in tolerances, if the residual falls as it
+   /// did in the iteration before, where it fell by ten at least. Larger: fewer
+   /// tangents, but more iterations. 0: none does.
+   mfem::real_t kept_tangent = 30.0;
    /// Smallest part of a step that the line search tries before the solve
    /// fails. Smaller: more evaluations before a time step is cut.
    mfem::real_t shortest_step = 1.0 / 16.0;
@@ -95,7 +100,10 @@ struct NewtonTuning
    /// How often the first system of a solve without a first guess is solved for
    /// other active sets: those to which it leads. Larger: a long first step
    /// distorts the bodies less where they come into contact.
-   int max_first_sets = 10;
+   int max_first_sets = 4;
+   /// What those systems leave of the residual, the last one apart. Smaller:
+   /// more linear iterations for each set.
+   mfem::real_t set_accuracy = 1e-2;
    /// How often contact is searched anew with a change of the active set.
    /// Larger: points near an edge may take the set to and fro with them.
    int max_early_searches = 10;
@@ -125,10 +133,10 @@ struct FactorizationTuning
    bool single_precision = true;
    /// Time steps within this factor of the one factorized for use its factors.
    /// Larger: fewer factorizations, more iterations.
-   mfem::real_t like_step = 1.2;
+   mfem::real_t like_step = 2.5;
    /// A contact weight that differs by more than this part of it gets a column
    /// of the low-rank update.
-   mfem::real_t other_weight = 0.5;
+   mfem::real_t other_weight = 0.75;
    /// A column that differs by less than this part (of its norm) from the one
    /// that was solved for is not solved for again. Larger: fewer solves, more
    /// iterations in sliding contact.

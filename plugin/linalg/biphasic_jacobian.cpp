@@ -314,11 +314,8 @@ BiphasicJacobian::SchurComplement(const Array<int> &dofs,
    return schur;
 }
 
-Vector BiphasicJacobian::Holding() const
+Vector BiphasicJacobian::Holding(real_t large) const
 {
-   // Small enough to be taken back from a factorization, and large beside what
-   // contact adds to the diagonal.
-   constexpr real_t large = 1e11;
    const std::unique_ptr<HypreParMatrix> schur(
       Add(1.0, *flow, 1.0, *matrices.compliance));
    Vector holding(schur->Height());

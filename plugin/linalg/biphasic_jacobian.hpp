@@ -66,9 +66,10 @@ public:
    std::unique_ptr<mfem::HypreParMatrix>
    SchurComplement(const mfem::Array<int> &dofs, mfem::real_t compliance) const;
 
-   /// Diagonal entries, by true dof of the pressure, that are large enough to
-   /// hold it at zero in a preconditioner. They depend on the time step.
-   mfem::Vector Holding() const;
+   /// Diagonal entries, by true dof of the pressure, that hold it near zero in
+   /// a preconditioner: @a large times those of the flow. They depend on the
+   /// time step.
+   mfem::Vector Holding(mfem::real_t large) const;
    /// The whole matrix, assembled, with unit rows for prescribed displacements
    /// and -@a holding on the diagonal for prescribed pressures. Where contact
    /// is symmetric it may be treated as symmetric: the bodies' part nearly is,

@@ -125,7 +125,8 @@ real_t BiphasicLinearSolver::Norm(const Vector &residual,
 
 BiphasicLinearSolver::Result
 BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
-                            const ResidualTolerance &tolerance, real_t target)
+                            const ResidualTolerance &tolerance, real_t target,
+                            FirstGuess guess)
 {
    // In the scaled unknowns both equations have the tolerance of the momentum.
    const real_t pressure_scale = tolerance.momentum / tolerance.mass;
@@ -133,13 +134,17 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
    const ScaledOperator2x2 scaled(jacobian, pressure_begin, pressure_scale);
    Vector right_side(b);
    ScaleFrom(pressure_begin, pressure_scale, right_side);
+   if (guess == FirstGuess::given)
+   {
+      ScaleFrom(pressure_begin, 1.0 / pressure_scale, x);
+   }
    const Result result = TryIterations(
       [&]
       {
          ScaledSolver scaled_preconditioner(*preconditioner, pressure_begin,
                                             1.0 / pressure_scale);
          return Iterate(scaled, scaled_preconditioner, right_side, x,
-                        target * tolerance.momentum);
+                        target * tolerance.momentum, guess);
       });
    ScaleFrom(pressure_begin, pressure_scale, x);
    // Contact and loads are evaluated on the host.
@@ -156,14 +161,13 @@ BiphasicLinearSolver::Solve(const Vector &b, Vector &x,
                                  compliance);
    const Vector right_side = system.RightSide(b);
    Vector solution(right_side.Size());
-   solution = 0.0;
    const Result result = TryIterations(
       [&]
       {
          MultiplierPreconditioner system_preconditioner(system,
                                                         *preconditioner);
          return Iterate(system, system_preconditioner, right_side, solution,
-                        target * tolerance.momentum);
+                        target * tolerance.momentum, FirstGuess::zero);
       });
    system.Unpack(solution, x, changes);
    return result;
@@ -189,7 +193,7 @@ BiphasicLinearSolver::TryIterations(const std::function<Result()> &iterate)
 
 BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
    const Operator &system, Solver &system_preconditioner,
-   const Vector &right_side, Vector &x, real_t target)
+   const Vector &right_side, Vector &x, real_t target, FirstGuess guess)
 {
    FGMRESSolver solver(comm);
    solver.SetKDim(tuning.multigrid.restart);
@@ -199,7 +203,10 @@ BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
    solver.SetOperator(system);
    solver.SetPreconditioner(system_preconditioner);
 
-   x = 0.0;
+   if (guess == FirstGuess::zero)
+   {
+      x = 0.0;
+   }
    Result result;
    bool again = true;
    while (again && !result.converged &&
@@ -210,7 +217,8 @@ BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
          preconditioner->Update();
       }
       // A guess of zero need not be multiplied.
-      solver.iterative_mode = result.iterations > 0;
+      solver.iterative_mode =
+         guess == FirstGuess::given || result.iterations > 0;
       const SolveAttempt attempt =
          Attempt(*preconditioner, options.max_iterations - result.iterations,
                  right_side, solver, x);

@@ -103,6 +103,14 @@ struct ResidualTolerance
    mfem::real_t least_mass = 0.0;
 };
 
+/// Where the iterations of a linear solve begin: at zero, or at the solution
+/// that is given.
+enum class FirstGuess
+{
+   zero,
+   given
+};
+
 /// FGMRES with one of the preconditioners. Each equation is measured by its own
 /// tolerance, so that the stopping test is the same in every system of units
 /// and a stiff body's round-off doesn't hide the fluid.
@@ -140,10 +148,11 @@ public:
       /// one starts with a new preconditioner.
       std::string failure;
    };
-   /// Solves J x = b, from zero, until the Norm() of the residual is at most
-   /// @a target. Collective.
+   /// Solves J x = b, from zero or from the @a x that is given, until the
+   /// Norm() of the residual is at most @a target. Collective.
    Result Solve(const mfem::Vector &b, mfem::Vector &x,
-                const ResidualTolerance &tolerance, mfem::real_t target);
+                const ResidualTolerance &tolerance, mfem::real_t target,
+                FirstGuess guess = FirstGuess::zero);
 
    /// The same with the multipliers of contact as unknowns, whose @a changes
    /// are not those that the penalties make: see MultiplierSystem, with
@@ -161,11 +170,11 @@ private:
    std::unique_ptr<BiphasicPreconditioner> MakePreconditioner() const;
    /// Calls @a iterate, and says why if a factorization fails.
    Result TryIterations(const std::function<Result()> &iterate);
-   /// Solves @a system, from zero, to @a target.
+   /// Solves @a system to @a target.
    Result Iterate(const mfem::Operator &system,
                   mfem::Solver &system_preconditioner,
                   const mfem::Vector &right_side, mfem::Vector &x,
-                  mfem::real_t target);
+                  mfem::real_t target, FirstGuess guess);
 
    const BiphasicJacobian &jacobian;
    MPI_Comm comm;

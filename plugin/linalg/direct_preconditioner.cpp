@@ -136,6 +136,12 @@ void DirectPreconditioner::Update()
    }
 }
 
+void DirectPreconditioner::ChoosePrecision()
+{
+   options.single_precision =
+      !jacobian.IsContactSymmetric() && tuning.single_precision;
+}
+
 void DirectPreconditioner::Factorize()
 {
    dt = jacobian.TimeStep();
@@ -152,7 +158,15 @@ void DirectPreconditioner::Factorize()
    extra_solves = 0.0;
    update.Set({}, Vector());
    columns.clear();
-   holding = jacobian.Holding();
+   if (!factors)
+   {
+      ChoosePrecision();
+   }
+   // Large beside what contact adds to the diagonal, and small enough to be
+   // taken back from the factors by a column.
+   constexpr real_t of_double = 1e11;
+   constexpr real_t of_single = 1e5;
+   holding = jacobian.Holding(options.single_precision ? of_single : of_double);
    const std::unique_ptr<HypreParMatrix> matrix =
       jacobian.AssembleHeld(holding);
    if (factors)
@@ -162,7 +176,6 @@ void DirectPreconditioner::Factorize()
    else
    {
       const bool symmetric = jacobian.IsContactSymmetric();
-      options.single_precision = !symmetric && tuning.single_precision;
       if (!symmetric && matrix->GetGlobalNumRows() > tuning.compress_above)
       {
          options.compression = tuning.compression;

@@ -58,6 +58,8 @@ private:
 
    bool IsLikeFactorized() const;
    std::vector<Change> FindChanges() const;
+   /// Of the first factorization.
+   void ChoosePrecision();
    void Factorize();
    /// Updates the factors by columns; false if that would cost more than a
    /// factorization.

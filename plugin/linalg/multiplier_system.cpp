@@ -44,6 +44,17 @@ void MultiplierSystem::Scale(real_t pressures, real_t outflows, Vector &v) const
    }
 }
 
+void MultiplierSystem::Weigh(real_t weight, Vector &rows) const
+{
+   for (const Block &block : blocks)
+   {
+      Vector gaps = block.Gaps(rows);
+      gaps *= weight;
+      Vector jumps = block.Jumps(rows);
+      jumps *= weight;
+   }
+}
+
 void MultiplierSystem::AddLoads(real_t scale, Vector &v, Vector &y) const
 {
    const int split = jacobian.Offsets()[1];
@@ -112,6 +123,7 @@ void MultiplierSystem::Mult(const Vector &x, Vector &y) const
    AddLoads(1.0, unscaled, y);
    Close(unscaled, y);
    Scale(pressure_scale, pressure_scale, y);
+   Weigh(compliance, y);
 }
 
 Vector MultiplierSystem::RightSide(const Vector &b) const
@@ -132,6 +144,7 @@ Vector MultiplierSystem::RightSide(const Vector &b) const
       jumps *= -jacobian.TimeStep();
    }
    Scale(pressure_scale, pressure_scale, side);
+   Weigh(compliance, side);
    return side;
 }
 
@@ -139,6 +152,7 @@ void MultiplierSystem::Precondition(const Operator &inverse, const Vector &rows,
                                     Vector &x) const
 {
    unscaled = rows;
+   Weigh(1.0 / compliance, unscaled);
    Scale(1.0 / pressure_scale, 1.0 / pressure_scale, unscaled);
    // Each multiplier takes what its row lacks, with the penalty for stiffness.
    x = unscaled;

@@ -37,12 +37,14 @@ struct MultiplierChanges
 /// that, eigenvalues are between c / (1 + c) and 1, c being the ratio of
 /// penalty and resistance.
 ///
-/// Unknowns and rows are scaled, so that all rows are forces.
+/// Unknowns and rows are scaled, so that all rows are forces: those of gaps as
+/// the penalties over 1 / e make them, about as bodies resist gaps.
 class MultiplierSystem : public mfem::Operator
 {
 public:
    /// Borrows @a jacobian, whose contact may not change in the lifetime of
-   /// this. @a pressure_scale: force / volume. @a compliance: e. Collective.
+   /// this. @a pressure_scale: force / volume. @a compliance: e > 0.
+   /// Collective.
    MultiplierSystem(const BiphasicJacobian &jacobian,
                     mfem::real_t pressure_scale, mfem::real_t compliance);
 
@@ -75,6 +77,8 @@ private:
    /// Multiplies what belongs to pressures, and to multipliers of the flow.
    void Scale(mfem::real_t pressures, mfem::real_t outflows,
               mfem::Vector &v) const;
+   /// Multiplies the rows of gaps and jumps.
+   void Weigh(mfem::real_t weight, mfem::Vector &rows) const;
    /// y += scale C v
    void AddLoads(mfem::real_t scale, mfem::Vector &v, mfem::Vector &y) const;
    /// Sets the multipliers' rows of @a y.

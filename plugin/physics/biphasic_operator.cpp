@@ -69,8 +69,6 @@ BiphasicOperator::BiphasicOperator(
 {
    height = width =
       spaces.Offsets().Last() + equations.Bodies().ConservedSize();
-   rate.SetSize(height);
-   rate = 0.0;
    balance.support.SetSize(spaces.Offsets()[1]);
    balance.support = 0.0;
    balance.loads = balance.support;
@@ -115,8 +113,7 @@ void BiphasicOperator::ImplicitSolve(const real_t dt, const Vector &x,
    {
       slope[nu + np + i] = (conserved[i] - stage.conserved0[i]) / dt;
    }
-   rate = k;
-   rate_dt = dt;
+   rates.Add(stage.time, dt, k);
    balance = equations.Balance(stage);
    poses = stage.poses;
    equations.Ties().Shorten(poses);
@@ -130,7 +127,6 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    stage.dt = dt;
    stage.time = GetTime();
    x.HostRead();
-   rate.HostRead();
    stage.u0.SetSize(nu);
    stage.p0.SetSize(np);
    stage.conserved0.SetSize(equations.Bodies().ConservedSize());
@@ -146,16 +142,18 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    {
       stage.conserved0[i] = x[nu + np + i];
    }
+   const Vector expected = rates.Expected(stage.time);
    if (!equations.Bodies().IsLinear())
    {
-      Guess(0.0, stage);
+      Guess(0.0, expected, stage);
       stage.rest = {stage.u, stage.p, stage.poses};
    }
-   Guess(dt, stage);
+   Guess(dt, expected, stage);
    conditions.GetLoads(stage.time, stage.momentum_load, stage.mass_load);
-   const Vector pressure_rate(rate, nu, np);
-   equations.Bodies().StartStage(stage, pressure_rate, rate_dt);
-   const bool no_guess = MaxOverRanks(rate.Normlinf(), spaces.GetComm()) == 0.0;
+   const Vector pressure_rate(const_cast<Vector &>(rates.Last()), nu, np);
+   equations.Bodies().StartStage(stage, pressure_rate, rates.LastLength());
+   const bool no_guess =
+      MaxOverRanks(rates.Last().Normlinf(), spaces.GetComm()) == 0.0;
    if (no_guess)
    {
       stage.from_start = true;
@@ -167,7 +165,8 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    return stage;
 }
 
-void BiphasicOperator::Guess(real_t dt, ImplicitStage &stage)
+void BiphasicOperator::Guess(real_t dt, const Vector &rate,
+                             ImplicitStage &stage)
 {
    stage.u = stage.u0;
    stage.p = stage.p0;
@@ -200,8 +199,7 @@ WorkCounts BiphasicOperator::Work() const
 
 void BiphasicOperator::AcceptStep()
 {
-   accepted.rate = rate;
-   accepted.rate_dt = rate_dt;
+   accepted.rates = rates;
    accepted.started = started;
    accepted.balance = balance;
    accepted.poses = poses;
@@ -218,7 +216,7 @@ void BiphasicOperator::AcceptStep()
 
 void BiphasicOperator::ForgetRate()
 {
-   rate = 0.0;
+   rates.Forget();
    for (ContactPair *pair : pairs)
    {
       pair->Enforcement().ForgetPast();
@@ -246,8 +244,7 @@ void BiphasicOperator::BeginAnew(real_t t, const Vector &u)
 
 void BiphasicOperator::RejectStep()
 {
-   rate = accepted.rate;
-   rate_dt = accepted.rate_dt;
+   rates = accepted.rates;
    started = accepted.started;
    balance = accepted.balance;
    poses = accepted.poses;
@@ -264,12 +261,7 @@ void BiphasicOperator::RejectStep()
 
 void BiphasicOperator::Archive(StateArchive &archive)
 {
-   Vector velocity(accepted.rate, 0, spaces.Offsets()[1]);
-   Vector pressure_rate(accepted.rate, spaces.Offsets()[1],
-                        spaces.Offsets()[2] - spaces.Offsets()[1]);
-   archive.Field("rate.displacement", spaces.Displacement(), velocity);
-   archive.Field("rate.pressure", spaces.Pressure(), pressure_rate);
-   archive.Number("rate.length", accepted.rate_dt);
+   accepted.rates.Archive(archive);
    archive.Flag("started", accepted.started);
    RigidTies &ties = equations.Ties();
    for (int b = 0; b < ties.Bodies(); b++)
@@ -307,8 +299,7 @@ void BiphasicOperator::Archive(StateArchive &archive)
    }
    if (archive.Reads())
    {
-      rate = accepted.rate;
-      rate_dt = accepted.rate_dt;
+      rates = accepted.rates;
       started = accepted.started;
       poses = accepted.poses;
       if (may_be_pushed)

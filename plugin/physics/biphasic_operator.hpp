@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/physics/rate_history.hpp"
 #include "synovia/physics/stage_solver.hpp"
 
 #include <functional>
@@ -56,7 +57,7 @@ public:
    /// sealing sets, drained dofs, support forces and fluid balance.
    void RejectStep();
    /// Rate (v, dp/dt) of the last stage that was accepted.
-   const mfem::Vector &AcceptedRate() const { return accepted.rate; }
+   const mfem::Vector &AcceptedRate() const { return accepted.rates.Last(); }
    /// Lists what the next step needs of those accepted. Collective.
    void Archive(StateArchive &archive);
    const NonlinearOptions &Options() const { return options; }
@@ -79,12 +80,12 @@ public:
    const RigidPoses &Poses() const { return poses; }
 
 private:
-   /// The stage from @a x on: loads, supports, and a first guess by the last
-   /// stage's rate, or none where that is impossible.
+   /// The stage from @a x on: loads, supports, and a first guess by the rate
+   /// that may be expected, or none where that is impossible.
    ImplicitStage StartStage(mfem::real_t dt, const mfem::Vector &x);
-   /// Where all would be after @a dt at the last rates, and supports where they
+   /// Where all would be after @a dt at the @a rate, and supports where they
    /// are at the end of the stage.
-   void Guess(mfem::real_t dt, ImplicitStage &stage);
+   void Guess(mfem::real_t dt, const mfem::Vector &rate, ImplicitStage &stage);
 
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
@@ -95,22 +96,21 @@ private:
    StageEquations equations;
    FirstApproach start;
    StageSolver solver;
-   /// Rate of the last stage, a first guess for the next one, and the stage's
-   /// length.
-   mfem::Vector rate;
-   mfem::real_t rate_dt = 0.0;
+   RateHistory rates{spaces, spaces.Offsets().Last() +
+                                equations.Bodies().ConservedSize()};
    bool started = false;
    StageBalance balance;
    RigidPoses poses;
-   struct
+   struct Accepted
    {
-      mfem::Vector rate;
-      mfem::real_t rate_dt = 0.0;
+      explicit Accepted(const RateHistory &rates_) : rates(rates_) {}
+
+      RateHistory rates;
       bool started = false;
       StageBalance balance;
       RigidPoses poses;
       mfem::Array<int> drained;
-   } accepted;
+   } accepted{rates};
 };
 
 } // namespace synovia

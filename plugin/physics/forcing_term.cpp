@@ -9,14 +9,14 @@ using namespace mfem;
 
 real_t ForcingTerm::Next(real_t norm)
 {
-   real_t term = largest;
+   real_t term = curvature * norm;
    if (last_norm > 0.0)
    {
       const real_t fall = norm / last_norm;
-      term = std::min(largest, factor * fall * fall);
+      term = factor * fall * fall;
    }
    last_norm = norm;
-   return term;
+   return std::min(largest, term);
 }
 
 } // namespace synovia

@@ -12,9 +12,11 @@ namespace synovia
 class ForcingTerm
 {
 public:
-   /// @a largest: of all terms, and the first.
-   ForcingTerm(mfem::real_t largest_, mfem::real_t factor_)
-      : largest(largest_), factor(factor_)
+   /// @a largest: of all terms. @a curvature: what the first iteration is
+   /// expected to leave of a unit residual, which grows with its square.
+   ForcingTerm(mfem::real_t largest_, mfem::real_t factor_,
+               mfem::real_t curvature_)
+      : largest(largest_), factor(factor_), curvature(curvature_)
    {
    }
 
@@ -25,6 +27,7 @@ public:
 private:
    mfem::real_t largest;
    mfem::real_t factor;
+   mfem::real_t curvature;
    /// 0 before the first iteration.
    mfem::real_t last_norm = 0.0;
 };

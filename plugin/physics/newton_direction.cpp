@@ -72,10 +72,13 @@ void NewtonDirection::LinearizeBodies(const BodyStage &stage)
 
 bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
                             const ResidualTolerance &tolerance,
-                            BlockVector &step)
+                            BlockVector &step, FirstGuess guess)
 {
+   solution.SetSize(residual.Size());
    return Finish(
-      [&] { return linear.Solve(residual, step, tolerance, target); }, step);
+      [&]
+      { return linear.Solve(residual, solution, tolerance, target, guess); },
+      step);
 }
 
 bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
@@ -86,7 +89,7 @@ bool NewtonDirection::Solve(const BlockVector &residual, real_t target,
    return Finish(
       [&]
       {
-         return linear.Solve(residual, step, changes, compliance, tolerance,
+         return linear.Solve(residual, solution, changes, compliance, tolerance,
                              target);
       },
       step);
@@ -101,6 +104,7 @@ bool NewtonDirection::Finish(
    StopWatch watch;
    watch.Start();
    const BiphasicLinearSolver::Result result = solve();
+   static_cast<Vector &>(step) = solution;
    step.SyncToBlocks();
    record.times.setup += result.setup_seconds;
    record.times.linear += watch.RealTime() - result.setup_seconds;

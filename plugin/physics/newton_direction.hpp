@@ -31,9 +31,11 @@ public:
    /// contact was searched since.
    void KeepTangent();
    /// Sets @a step to where the linear residual is at most @a target, in units
-   /// of the @a tolerance; false if there is no such step.
+   /// of the @a tolerance, beginning at zero or at the last solution; false if
+   /// there is no such step.
    bool Solve(const mfem::BlockVector &residual, mfem::real_t target,
-              const ResidualTolerance &tolerance, mfem::BlockVector &step);
+              const ResidualTolerance &tolerance, mfem::BlockVector &step,
+              FirstGuess guess = FirstGuess::zero);
    /// The same with the multipliers as unknowns, whose @a changes come beside
    /// those that the penalties make (MultiplierSystem).
    bool Solve(const mfem::BlockVector &residual, mfem::real_t target,
@@ -55,6 +57,8 @@ private:
    const RigidFreedoms &freedoms;
    BiphasicLinearSolver &linear;
    SolveRecord &record;
+   /// Of the last system, before rigid surfaces take it up.
+   mfem::Vector solution;
    /// Size of the mesh (length), where forces move surfaces or rigid bodies.
    mfem::real_t extent = 0.0;
 };

@@ -15,7 +15,8 @@ using namespace mfem;
 bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
 {
    const NewtonTuning &tuning = options.tuning.newton;
-   ForcingTerm forcing(tuning.largest_forcing, tuning.forcing_factor);
+   ForcingTerm forcing(tuning.largest_forcing, tuning.forcing_factor,
+                       tuning.curvature * options.linear.relative_tolerance);
    TangentRenewal renewal(tuning);
    SearchRule search(tuning);
    // As it did in the last solve, until something changes.
@@ -78,9 +79,10 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       {
          direction.KeepTangent();
       }
-      if (!SolveSystem(target, tolerance) ||
-          (stage.from_start && !SettleFirstSet(stage, target, tolerance)) ||
-          !TakeStep(stage, tolerance))
+      const bool solved = stage.from_start && PredictsSets()
+                             ? SettleFirstSet(stage, norm, target, tolerance)
+                             : SolveSystem(target, tolerance);
+      if (!solved || !TakeStep(stage, tolerance))
       {
          return false;
       }
@@ -112,43 +114,59 @@ bool PrimalDualNewton::SolveSystem(real_t target,
    return direction.Solve(residual, target, tolerance, step);
 }
 
-bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t target,
+bool PrimalDualNewton::PredictsSets() const
+{
+   // Slip that a linear system predicts is none.
+   return options.tuning.newton.max_first_sets > 0 &&
+          !contact.Pairs().empty() && !contact.HasFriction();
+}
+
+bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t norm,
+                                      real_t target,
                                       const ResidualTolerance &tolerance)
 {
-   // Slip that a linear system predicts is none, and what a force moves alone
-   // is stopped where surfaces would overlap (TakeStep()).
-   const bool predicts = !contact.HasFriction() &&
-                         SupportsMove(stage, equations.DisplacementIn(step));
-   const int most = predicts ? options.tuning.newton.max_first_sets : 0;
-   bool changed = true;
-   for (int i = 0; i < most && changed; i++)
+   const real_t loose =
+      std::max(target, options.tuning.newton.set_accuracy * norm);
+   changes.Clear(contact.Pairs().size());
+   if (!direction.Solve(residual, loose, tolerance, step))
    {
-      const Vector u(stage.u);
-      const Vector p(stage.p);
-      const RigidPoses poses(stage.poses);
-      const MultiplierSteps multipliers =
-         FindMultiplierSteps(equations.DisplacementIn(step));
-      Add(1.0, stage, multipliers);
-      equations.EvaluateContact(stage);
-      changed = contact.Update(stage, ContactStiffness::bodies);
-      Add(-1.0, stage, multipliers);
-      stage.u = u;
-      stage.p = p;
-      stage.poses = poses;
-      equations.UpdateDrainedDofs(stage);
-      if (changed)
+      return false;
+   }
+   // What a force moves alone is stopped where surfaces would overlap
+   // (TakeStep()).
+   bool changed = SupportsMove(stage, equations.DisplacementIn(step));
+   for (int i = 0; i < options.tuning.newton.max_first_sets && changed; i++)
+   {
+      changed = PredictSet(stage);
+      EvaluateBodies(stage);
+      Assess(stage, ContactStiffness::penalty, tolerance);
+      contact.SetTractions(ContactStiffness::none);
+      direction.Linearize(stage);
+      if (changed &&
+          !direction.Solve(residual, loose, tolerance, step, FirstGuess::given))
       {
-         EvaluateBodies(stage);
-         Assess(stage, ContactStiffness::penalty, tolerance);
-         contact.SetTractions(ContactStiffness::none);
-         direction.Linearize(stage);
-         if (!SolveSystem(target, tolerance))
-         {
-            return false;
-         }
+         return false;
       }
    }
-   return true;
+   return direction.Solve(residual, target, tolerance, step, FirstGuess::given);
+}
+
+bool PrimalDualNewton::PredictSet(ImplicitStage &stage)
+{
+   const Vector u(stage.u);
+   const Vector p(stage.p);
+   const RigidPoses poses(stage.poses);
+   const MultiplierSteps multipliers =
+      FindMultiplierSteps(equations.DisplacementIn(step));
+   Add(1.0, stage, multipliers);
+   equations.EvaluateContact(stage);
+   const bool changed = contact.Update(stage, ContactStiffness::bodies);
+   Add(-1.0, stage, multipliers);
+   stage.u = u;
+   stage.p = p;
+   stage.poses = poses;
+   equations.UpdateDrainedDofs(stage);
+   return changed;
 }
 
 void PrimalDualNewton::EvaluateBodies(const ImplicitStage &stage)
@@ -184,7 +202,10 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
       EvaluateBodies(stage);
       norm = Assess(stage, ContactStiffness::none, tolerance);
    }
-   if (has_stepped && norm <= known && !set_changed && !stage.from_start &&
+   const bool rests = !set_changed && !stage.from_start;
+   if (rests &&
+       ((has_stepped && norm <= known) ||
+        rule.KnowsExchange(mass_imbalance, residual.GetBlock(1))) &&
        rule.Tighten(mass_imbalance, tolerance))
    {
       norm = linear.Norm(residual, tolerance);

@@ -41,11 +41,18 @@ private:
 
    /// Solves for step and changes with the present residual.
    bool SolveSystem(mfem::real_t target, const ResidualTolerance &tolerance);
-   /// From the start of a stage, solves again with the active set that the step
-   /// leads to, until it rests: few vertices would bear all of a first contact
-   /// else, and the bodies would be too distorted around them to go on from.
-   bool SettleFirstSet(ImplicitStage &stage, mfem::real_t target,
-                       const ResidualTolerance &tolerance);
+   /// Whether active sets are predicted from the start of a stage.
+   bool PredictsSets() const;
+   /// From the start of a stage, where the residual has this @a norm, solves
+   /// again with the active set that the step leads to, until it rests: few
+   /// vertices would bear all of a first contact else, and the bodies would be
+   /// too distorted around them to go on from. Roughly, and to @a target in the
+   /// end.
+   bool SettleFirstSet(ImplicitStage &stage, mfem::real_t norm,
+                       mfem::real_t target, const ResidualTolerance &tolerance);
+   /// Decides on the active set where the step would lead; says whether it is
+   /// another.
+   bool PredictSet(ImplicitStage &stage);
    /// Evaluates the bodies and their loads.
    void EvaluateBodies(const ImplicitStage &stage);
    /// Sets the residual with tractions of @a stiffness; returns its norm.

@@ -7,10 +7,13 @@ using namespace mfem;
 
 bool TangentRenewal::IsDue(real_t norm)
 {
-   const bool is_last =
-      last_norm > 0.0 && norm * (norm / last_norm) <= tuning.kept_tangent;
+   // With a tangent that is kept the residual falls in each iteration by a
+   // factor at best, which is worth it where that is a large one.
+   constexpr real_t least_fall = 0.1;
+   const bool keeps = norm <= least_fall * last_norm &&
+                      norm * (norm / last_norm) <= tuning.kept_tangent;
    last_norm = norm;
-   return !is_last;
+   return !keeps;
 }
 
 } // namespace synovia

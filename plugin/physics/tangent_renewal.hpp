@@ -6,9 +6,9 @@ namespace synovia
 {
 
 /// When Newton's method takes a new tangent: in each iteration but the last
-/// one, whose residual falls by the same factor as before with the tangent
+/// ones, whose residual falls by the same factor as before with the tangent
 /// there is (Kelley, Solving Nonlinear Equations with Newton's Method, 2003,
-/// section 2.4).
+/// section 2.4), and by a factor of ten at least.
 class TangentRenewal
 {
 public:

@@ -141,19 +141,32 @@ void ToleranceRule::AllowRoundOff(const ImplicitStage &stage,
    tolerance.least_mass = std::max(tolerance.least_mass, round_off.mass);
 }
 
+real_t ToleranceRule::Exchanged(const Vector &mass) const
+{
+   real_t squares = 0.0;
+   for (const int dof : equations.DrainedDofs())
+   {
+      squares += mass[dof] * mass[dof];
+   }
+   return std::sqrt(SumOverRanks(squares, spaces.GetComm()));
+}
+
+bool ToleranceRule::KnowsExchange(const Vector &mass,
+                                  const Vector &residual) const
+{
+   constexpr real_t known = 0.1;
+   const real_t error =
+      std::sqrt(InnerProduct(spaces.GetComm(), residual, residual));
+   return error < known * Exchanged(mass);
+}
+
 bool ToleranceRule::Tighten(const Vector &mass,
                             ResidualTolerance &tolerance) const
 {
    // Part of the fluid exchanged in the step that may get lost; Newton's method
    // of deforming bodies gains many digits at once.
    const real_t lost = equations.Bodies().IsLinear() ? 1e-7 : 1e-9;
-   real_t squares = 0.0;
-   for (const int dof : equations.DrainedDofs())
-   {
-      squares += mass[dof] * mass[dof];
-   }
-   const real_t exchanged = std::sqrt(SumOverRanks(squares, spaces.GetComm()));
-   const real_t wanted = std::max(lost * exchanged, tolerance.least_mass);
+   const real_t wanted = std::max(lost * Exchanged(mass), tolerance.least_mass);
    if (wanted >= 0.5 * tolerance.mass)
    {
       return false;

@@ -23,6 +23,11 @@ public:
    /// @a force_per_volume as BiphasicLinearSolver has it.
    ResidualTolerance Find(const ImplicitStage &stage,
                           mfem::real_t force_per_volume) const;
+   /// Whether an iterate whose mass balance misses @a mass tells how much fluid
+   /// the step exchanges: its @a residual of the mass, which leaves out what is
+   /// exchanged, is a small part of it.
+   bool KnowsExchange(const mfem::Vector &mass,
+                      const mfem::Vector &residual) const;
    /// Lowers the tolerance of the mass to a part of the fluid that the step
    /// exchanges, where @a mass is what is missing for balance
    /// (StageEquations::ComputeImbalance); false if that hardly changes it.
@@ -40,6 +45,8 @@ private:
       mfem::real_t mass;
    };
    RoundOff FindRoundOff(const ImplicitStage &stage) const;
+   /// Norm of the volumes that drained dofs exchange.
+   mfem::real_t Exchanged(const mfem::Vector &mass) const;
 
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;

@@ -112,6 +112,16 @@ private:
    std::unique_ptr<HypreParMatrix> outflow_change;
 };
 
+Array<int> EverySecond(const Array<int> &dofs)
+{
+   Array<int> some;
+   for (int i = 0; i < dofs.Size(); i += 2)
+   {
+      some.Append(dofs[i]);
+   }
+   return some;
+}
+
 void SetToZero(const Array<int> &dofs, int begin, Vector &x)
 {
    for (const int dof : dofs)
@@ -143,7 +153,7 @@ TEST_CASE("The Jacobian is symmetric, and the assembled one is the same")
    BiphasicJacobian jacobian(*bodies.matrices, offsets, u_dofs, bodies.contact);
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(p_dofs);
-   const Vector holding = jacobian.Holding();
+   const Vector holding = jacobian.Holding(1e11);
    const auto assembled = jacobian.AssembleHeld(holding);
    Vector ax(offsets.Last());
    Vector ay(ax.Size());
@@ -204,7 +214,7 @@ TEST_CASE("Contact with all its changes is applied as it is assembled")
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(p_dofs);
    CHECK_FALSE(jacobian.IsContactSymmetric());
-   const auto assembled = jacobian.AssembleHeld(jacobian.Holding());
+   const auto assembled = jacobian.AssembleHeld(jacobian.Holding(1e11));
    Vector ax(offsets.Last());
    Vector ay(ax.Size());
    Vector bx(ax.Size());
@@ -249,20 +259,26 @@ TEST_CASE("Contact with all its changes is solved by either method")
    Vector found(exact.Size());
    ResidualTolerance tolerance;
    tolerance.momentum = tolerance.mass = 1e-9;
-   for (const bool lifted : {false, true})
+   for (const int change : {0, 1, 2})
    {
-      CAPTURE(lifted);
-      if (lifted)
+      CAPTURE(change);
+      if (change == 1)
       {
          contact.LiftSome();
+      }
+      if (change == 2)
+      {
+         jacobian.SetPressureDofs(EverySecond(jacobian.PressureDofs()));
       }
       jacobian.Mult(exact, right_side);
       const BiphasicLinearSolver::Result result =
          solver.Solve(right_side, found, tolerance, 1.0);
       CAPTURE(result.failure, result.iterations);
       CHECK(result.converged);
-      // What is kept of the factorization is exact.
-      CHECK(result.iterations <= (direct ? 2 : 60));
+      // What is kept of the factorization is exact, and what pressures are
+      // let go is to some digits.
+      const int most = change == 2 ? 6 : 2;
+      CHECK(result.iterations <= (direct ? most : 60));
       found -= exact;
       CHECK(std::sqrt(bodies.Dot(found, found)) <=
             1e-5 * std::sqrt(bodies.Dot(exact, exact)));

@@ -88,6 +88,9 @@ std::vector<Row> Solve(const Run &run)
    PressedBoxOptions options;
    options.body_force = &force;
    options.max_newton = run.max_newton;
+   // A factorization of a step that failed serves steps of other lengths, too,
+   // which makes a difference within the tolerances.
+   options.tuning.factorization.like_step = 1.0;
    PressedBox box(MPI_COMM_WORLD, options);
    TimeStepper stepper(box.Problem(), run.times);
    std::vector<Row> rows;
@@ -175,7 +178,7 @@ TEST_CASE("A run with failed steps equals one without")
    }
    SECTION("because the active set does not settle")
    {
-      failing.max_newton = 3;
+      failing.max_newton = 4;
    }
    const std::vector<Row> failed = Solve(failing);
    CHECK(TotalFailures(failed) >= 1);

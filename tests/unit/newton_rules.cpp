@@ -27,6 +27,8 @@ TEST_CASE("The tangent is kept where one more iteration with it will do")
    // It grew.
    CHECK(renewal.IsDue(50.0));
    CHECK_FALSE(renewal.IsDue(1.0));
+   // 0.5 would be left, but it fell by two only.
+   CHECK(renewal.IsDue(0.5));
    renewal.Restart();
    CHECK(renewal.IsDue(1.0));
 }
@@ -43,12 +45,18 @@ TEST_CASE("Without a tolerance for it no tangent is kept")
 
 TEST_CASE("Linear systems are solved as accurately as the residual falls")
 {
-   ForcingTerm forcing(1e-2, 0.9);
+   ForcingTerm forcing(1e-2, 0.9, 1e-7);
    CHECK(forcing.Next(1e6) == 1e-2);
    CHECK(forcing.Next(1e5) == Approx(9e-3));
    CHECK(forcing.Next(1e2) == Approx(9e-7));
-   // None is less accurate than the first.
    CHECK(forcing.Next(90.0) == 1e-2);
+}
+
+TEST_CASE("The first linear system is solved as accurately as a good guess is "
+          "worth")
+{
+   ForcingTerm forcing(1e-2, 0.9, 1e-7);
+   CHECK(forcing.Next(1e3) == Approx(1e-4));
 }
 
 TEST_CASE("Contact is searched anew while each search upsets less")
