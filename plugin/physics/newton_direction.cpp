@@ -104,6 +104,9 @@ bool NewtonDirection::Finish(
    StopWatch watch;
    watch.Start();
    const BiphasicLinearSolver::Result result = solve();
+   // Of the last step, blocks may have been used on the host.
+   solution.HostRead();
+   step.HostWrite();
    static_cast<Vector &>(step) = solution;
    step.SyncToBlocks();
    record.times.setup += result.setup_seconds;

@@ -72,6 +72,7 @@ Vector RateHistory::Expected(real_t time) const
 
 void RateHistory::Add(real_t time, real_t dt, const Vector &rate)
 {
+   // Differences of rates are taken on the host.
    rate.HostRead();
    const Vector now(const_cast<Vector &>(rate), 0, before.Size());
    const Vector then(last, 0, before.Size());
@@ -91,6 +92,7 @@ void RateHistory::Add(real_t time, real_t dt, const Vector &rate)
    before = then;
    before_time = last_time;
    last = rate;
+   last.HostReadWrite();
    last_time = time;
    last_length = dt;
    stages = std::min(stages + 1, 2);
