@@ -75,19 +75,16 @@ def environment(root: pathlib.Path) -> dict[str, str]:
 class Shell:
     """Runs blocks in a copy of the sources, until one fails."""
 
-    def __init__(self, root: pathlib.Path, image: pathlib.Path,
-                 run_elsewhere: set[str]):
+    def __init__(self, root: pathlib.Path, image: pathlib.Path):
         make_copy(root)
         self.root = root
         self.image = image
-        self.run_elsewhere = run_elsewhere
         self.environment = environment(root)
         make_mesh("indentation.py", root / "build/meshes/indentation.msh",
                   "--size", short_versions.COARSE["indentation.py"])
 
     def __call__(self, block: Block) -> list[ShortCommand]:
-        short = short_versions.shorten(block, self.root, self.image,
-                                       self.run_elsewhere)
+        short = short_versions.shorten(block, self.root, self.image)
         wanted = [command for command in short if command.short is not None]
         script = "".join(f"echo {shlex.quote(MARK + command.text)}\n"
                          f"{command.short}\n" for command in wanted)
@@ -110,17 +107,14 @@ class Shell:
         return short
 
 
-def run_all(root: pathlib.Path, blocks: list[Block], image: pathlib.Path,
-            run_elsewhere: set[str] | None = None) -> list[ShortCommand]:
-    """Runs blocks one after the other.
-
-    Those that are not READMEs find no output of each other, and only check the
-    cases that run elsewhere.
-    """
-    shell = Shell(root, image, run_elsewhere or set())
+def run_all(root: pathlib.Path, blocks: list[Block], image: pathlib.Path
+            ) -> list[ShortCommand]:
+    """Runs blocks one after the other."""
+    shell = Shell(root, image)
     short = []
     for block in blocks:
-        if run_elsewhere is not None:
+        if not block.file.endswith("README.md"):
+            # They find no output of each other.
             shutil.rmtree(root / "out", ignore_errors=True)
         short += shell(block)
     return short
@@ -163,14 +157,18 @@ def main() -> None:
         write_nrrd(str(image), *synthetic_labels())
         blocks = [block for block in commands.shell_blocks(SOURCE)
                   if not only or any(word in block.file for word in only)]
-        # READMEs are read as a whole, other files by themselves.
-        read = [b for b in blocks if b.file.endswith("README.md")]
-        others = [b for b in blocks if b not in read]
+        # READMEs are read as a whole, but for that of the programs, which
+        # needs nothing of others and takes as long as all of these.
+        programs = [b for b in blocks if b.file == "miniapps/README.md"]
+        read = [b for b in blocks
+                if b.file.endswith("README.md") and b not in programs]
+        others = [b for b in blocks if not b.file.endswith("README.md")]
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            runs = [pool.submit(run_all, folder / "read", read, image),
-                    pool.submit(run_all, folder / "run", others, image,
-                                short_versions.cases_run(read))]
-            from_readmes, short = (run.result() for run in runs)
+            runs = [pool.submit(run_all, folder / place, part, image)
+                    for place, part in (("programs", programs),
+                                        ("read", read), ("run", others))]
+            from_programs, from_read, short = (run.result() for run in runs)
+            from_readmes = from_programs + from_read
     if not only:
         check(len(from_readmes) == count_lines(),
               f"{len(from_readmes)} commands in READMEs")
