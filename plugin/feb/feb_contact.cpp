@@ -233,6 +233,17 @@ void ReadPair(const FebInput &contact, FebModel &model)
       // of the side that does.
       std::swap(pair.destination, pair.source);
    }
+   if (pair.options.friction.coefficient > 0.0 &&
+       pair.options.friction.solid_fraction < 1.0 && IsWet(primary, model) &&
+       IsWet(secondary, model))
+   {
+      // Pressures of order 1 alternate from node to node where hardly any fluid
+      // flows, and friction would follow them.
+      model.setup.space.stabilization = 1.0;
+      contact.Approximate("pressures are stabilized (space.stabilization = 1), "
+                          "as friction between two surfaces with fluid follows "
+                          "them");
+   }
    model.setup.contacts.push_back(pair);
 }
 } // namespace

@@ -202,11 +202,9 @@ void ReadModel(const FebInput &root, FebModel &model)
    AddRigidBodies(root, model);
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
-      {"Boundary", ReadBoundary},
-      {"Rigid", ReadRigid},
-      {"Loads", ReadLoads},
-      {"Constraints", ReadConstraints},
-      {"Contact", ReadContact}};
+      {"Boundary", ReadBoundary}, {"Rigid", ReadRigid},
+      {"Loads", ReadLoads},       {"Constraints", ReadConstraints},
+      {"Contact", ReadContact},   {"Discrete", ReadDiscrete}};
    for (const auto &[name, read] : sections)
    {
       if (const std::optional<FebInput> section = root.Find(name))
@@ -278,6 +276,8 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
                   "\"; there are 2.5, 3.0 and 4.0");
    }
    FebModel model;
+   // FEBio has none.
+   model.setup.space.stabilization = 0.0;
    ReadModel(root, model);
    ReadOutput(root, model);
    if (model.steps.steady && !import.report.IsStopped())
@@ -294,8 +294,6 @@ FebImport ImportFeb(const std::string &text, const std::string &source)
    import.setup.title = name;
    import.setup.mesh.file = name + ".msh";
    import.setup.space.deformation = Deformation::finite;
-   // FEBio has none.
-   import.setup.space.stabilization = 0.0;
    import.setup.space.order = Order(model.mesh, model.materials.deformable);
    import.setup.time = model.steps.Options();
    import.setup.output.directory = "out/" + name;

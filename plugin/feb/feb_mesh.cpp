@@ -120,6 +120,25 @@ std::vector<int> NodesOf(const FebInput &set, const FebMesh &mesh)
    return Places(set, numbers, mesh);
 }
 
+void ReadDiscreteSet(const FebInput &set, FebMesh &mesh)
+{
+   std::vector<std::pair<int, int>> &ends =
+      mesh.discrete_sets[set.NeededAttribute("name")];
+   for (const FebInput &element : set.All("delem"))
+   {
+      element.Attribute("id");
+      const std::vector<int> nodes = Places(element, element.Integers(), mesh);
+      if (nodes.size() == 2)
+      {
+         ends.emplace_back(nodes[0], nodes[1]);
+      }
+      else
+      {
+         element.Stop("an element of a DiscreteSet has two nodes");
+      }
+   }
+}
+
 void ReadSurface(const FebInput &surface, FebMesh &mesh)
 {
    std::vector<std::vector<int>> &facets =
@@ -180,6 +199,10 @@ FebMesh ReadFebMesh(const FebInput &section)
    for (const FebInput &surface : section.All("Surface"))
    {
       ReadSurface(surface, mesh);
+   }
+   for (const FebInput &set : section.All("DiscreteSet"))
+   {
+      ReadDiscreteSet(set, mesh);
    }
    for (const FebInput &pair : section.All("SurfacePair"))
    {

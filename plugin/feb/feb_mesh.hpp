@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace synovia
@@ -42,6 +43,8 @@ struct FebMesh
    std::map<std::string, std::vector<int>> node_sets;
    /// Facets by their corners.
    std::map<std::string, std::vector<std::vector<int>>> surfaces;
+   /// Ends of springs.
+   std::map<std::string, std::vector<std::pair<int, int>>> discrete_sets;
    /// Primary and secondary surface.
    std::map<std::string, std::pair<std::string, std::string>> surface_pairs;
 };

@@ -49,6 +49,8 @@ void ReadRigid(const FebInput &section, FebModel &model);
 void ReadLoads(const FebInput &section, FebModel &model);
 void ReadConstraints(const FebInput &section, FebModel &model);
 void ReadContact(const FebInput &section, FebModel &model);
+/// After the conditions and rigid bodies.
+void ReadDiscrete(const FebInput &section, FebModel &model);
 
 /// Adds the logs of the section Output to the case of the model, when the rest
 /// has been read.

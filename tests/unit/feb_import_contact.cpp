@@ -19,10 +19,7 @@ using namespace synovia;
 namespace
 {
 using Fate = FebReport::Fate;
-} // namespace
 
-namespace
-{
 // The column, of two blocks that are tied.
 std::string TiedColumn()
 {
@@ -151,6 +148,28 @@ TEST_CASE("Solids without fluid slide along each other")
       "model.feb");
    CHECK(wet.report.Text(Fate::unsupported).find("sliding-biphasic lets it") !=
          std::string::npos);
+}
+
+TEST_CASE("Friction between two surfaces with fluid takes stabilized pressures")
+{
+   const auto with = [](const std::string &friction)
+   {
+      const std::string text = Replaced(TiedColumn(), "tied-biphasic\">",
+                                        "sliding-biphasic\">" + friction);
+      const FebImport import = ImportFeb(text, "model.feb");
+      CHECK(import.report.Text(Fate::unsupported) == "");
+      REQUIRE(import.setup.contacts.size() == 1);
+      const bool stabilized = import.setup.space.stabilization == 1.0;
+      CHECK((stabilized || import.setup.space.stabilization == 0.0));
+      CHECK(stabilized ==
+            (import.report.Text(Fate::approximated).find("stabilized") !=
+             std::string::npos));
+      return stabilized;
+   };
+   CHECK_FALSE(with(""));
+   CHECK(with("<fric_coeff>0.1</fric_coeff>"));
+   CHECK_FALSE(with("<fric_coeff>0.1</fric_coeff>"
+                    "<contact_frac>1</contact_frac>"));
 }
 
 TEST_CASE("Contact that bears tension along a plane is a guide")

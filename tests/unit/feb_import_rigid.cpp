@@ -19,12 +19,9 @@ using namespace synovia::feb_column;
 namespace
 {
 using Fate = FebReport::Fate;
-} // namespace
 
-namespace
-{
 // The column between two rigid bodies, connected.
-FebImport Connected(const std::string &connector)
+std::string ConnectedText(const std::string &connector)
 {
    std::string text =
       Replaced(FebColumn(), "</Material>",
@@ -39,9 +36,12 @@ FebImport Connected(const std::string &connector)
 			<rb>anvil</rb></bc><bc name="upper" node_set="lid" type="rigid">
 			<rb>platen</rb></bc>)");
    text = Replaced(text, fixed_sides, "");
-   return ImportFeb(
-      Replaced(text, "<Loads>", "<Rigid>" + connector + "</Rigid><Loads>"),
-      "model.feb");
+   return Replaced(text, "<Loads>", "<Rigid>" + connector + "</Rigid><Loads>");
+}
+
+FebImport Connected(const std::string &connector)
+{
+   return ImportFeb(ConnectedText(connector), "model.feb");
 }
 } // namespace
 
@@ -66,6 +66,54 @@ TEST_CASE("A rigid spring joins two rigid bodies")
    CHECK(Connected("<rigid_connector type=\"rigid damper\"/>")
             .report.Text(Fate::unsupported)
             .find("there are rigid spring") != std::string::npos);
+}
+
+TEST_CASE("Discrete springs join the rigid bodies of their nodes")
+{
+   const auto with = [](const std::string &material, const std::string &nodes)
+   {
+      const std::string section =
+         "<Discrete><discrete_material id=\"1\" name=\"m\" type=\"" + material +
+         "\"><E>0.5</E></discrete_material><discrete dmat=\"1\" "
+         "discrete_set=\"ropes\"/></Discrete>";
+      const std::string set =
+         "<DiscreteSet name=\"ropes\">" + nodes + "</DiscreteSet>";
+      std::string text = ConnectedText("");
+      text = Replaced(text, "</Mesh>", set + "</Mesh>");
+      return ImportFeb(Replaced(text, "<Loads>", section + "<Loads>"),
+                       "model.feb");
+   };
+   const FebImport import =
+      with("linear spring", "<delem>1,9</delem><delem>2,11</delem>");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CheckCase(import.setup);
+   REQUIRE(import.setup.ligaments.size() == 2);
+   const Ligament &rope = import.setup.ligaments[1];
+   CHECK(rope.name == "ropes_2");
+   CHECK(rope.from.body == "anvil");
+   CHECK(rope.to.body == "platen");
+   CHECK(rope.from.point == Point3{{1.0, 0.0, 0.0}});
+   CHECK(rope.to.point == Point3{{1.0, 1.0, 2.0}});
+   CHECK(rope.options.stiffness == 0.5);
+   CHECK(rope.options.slack_length == 0.0);
+   CHECK(rope.options.compression);
+   const FebImport slack =
+      with("tension-only linear spring", "<delem>1,9</delem>");
+   REQUIRE(slack.setup.ligaments.size() == 1);
+   CHECK(slack.setup.ligaments[0].name == "ropes");
+   CHECK_FALSE(slack.setup.ligaments[0].options.compression);
+   const auto refused = [&](const std::string &material,
+                            const std::string &nodes, const std::string &why)
+   {
+      CAPTURE(why);
+      CHECK(with(material, nodes).report.Text(Fate::unsupported).find(why) !=
+            std::string::npos);
+   };
+   refused("Hill", "<delem>1,9</delem>", "there are linear spring");
+   refused("linear spring", "<delem>1,5</delem>", "node 5 belongs to no rigid");
+   refused("linear spring", "<delem>1,2</delem>", "bears nothing");
+   refused("linear spring", "<delem>1,99</delem>", "there is no node 99");
+   refused("linear spring", "<delem>1,9,2</delem>", "has two nodes");
 }
 
 TEST_CASE("Freedoms of rigid bodies are fixed, prescribed and loaded")

@@ -1,0 +1,141 @@
+#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_surfaces.hpp"
+
+#include <algorithm>
+
+namespace synovia
+{
+
+using namespace mfem;
+
+namespace
+{
+/// What springs are made of, by number and name.
+struct FebSpringMaterial
+{
+   std::string number;
+   std::string name;
+   LigamentOptions options;
+};
+
+FebSpringMaterial ReadSpringMaterial(const FebInput &input)
+{
+   FebSpringMaterial material;
+   material.number = input.Attribute("id");
+   material.name = input.Attribute("name");
+   const std::string type = input.NeededAttribute("type");
+   const bool tension = type == "tension-only linear spring" ||
+                        type == "tension only linear spring";
+   if (!tension && type != "linear spring")
+   {
+      input.StopAll("discrete materials of the type \"" + type +
+                    "\" are not known; there are linear spring, tension-only "
+                    "linear spring");
+      return material;
+   }
+   material.options.compression = !tension;
+   material.options.stiffness = input.Number("E", 0.0);
+   if (!(material.options.stiffness > 0.0))
+   {
+      input.Stop("E must be positive");
+   }
+   return material;
+}
+
+// The rigid body that a node belongs to or is tied to; empty if there is none.
+std::string FindBody(int node, const FebModel &model)
+{
+   for (size_t i = 0; i < model.materials.rigid.size(); i++)
+   {
+      const RigidBodyCase &body = model.setup.rigid_bodies[i];
+      for (const int part : model.materials.rigid[i].parts)
+      {
+         for (const FebCell &cell : model.mesh.parts[part].cells)
+         {
+            if (std::find(cell.nodes.begin(), cell.nodes.end(), node) !=
+                cell.nodes.end())
+            {
+               return body.name;
+            }
+         }
+      }
+      for (const std::string &surface : body.surfaces)
+      {
+         if (model.surfaces->NodalAreas(surface).count(node) > 0)
+         {
+            return body.name;
+         }
+      }
+   }
+   return "";
+}
+
+LigamentEnd ReadEnd(const FebInput &where, int node, const FebModel &model)
+{
+   LigamentEnd end;
+   end.point = model.mesh.nodes[node];
+   end.body = FindBody(node, model);
+   if (end.body.empty())
+   {
+      where.Stop("node " + std::to_string(model.mesh.numbers[node]) +
+                 " belongs to no rigid body; discrete springs are between "
+                 "rigid bodies");
+   }
+   return end;
+}
+
+void AddSprings(const FebInput &discrete,
+                const std::vector<FebSpringMaterial> &materials,
+                FebModel &model)
+{
+   const std::string called = discrete.NeededAttribute("dmat");
+   const auto material =
+      std::find_if(materials.begin(), materials.end(),
+                   [&called](const FebSpringMaterial &m)
+                   { return m.number == called || m.name == called; });
+   const std::string name = discrete.NeededAttribute("discrete_set");
+   const auto set = model.mesh.discrete_sets.find(name);
+   if (material == materials.end() || set == model.mesh.discrete_sets.end())
+   {
+      discrete.Stop(material == materials.end()
+                       ? "there is no discrete material \"" + called + "\""
+                       : "there is no DiscreteSet \"" + name + "\"");
+      return;
+   }
+   int count = 0;
+   for (const auto &[first, second] : set->second)
+   {
+      Ligament spring;
+      spring.name = PlainName(name);
+      if (set->second.size() > 1)
+      {
+         spring.name += "_" + std::to_string(++count);
+      }
+      spring.options = material->options;
+      spring.from = ReadEnd(discrete, first, model);
+      spring.to = ReadEnd(discrete, second, model);
+      if (spring.from.body == spring.to.body && !spring.to.body.empty())
+      {
+         discrete.Stop("both ends of \"" + spring.name +
+                       "\" belong to the rigid body \"" + spring.to.body +
+                       "\", so that it bears nothing");
+      }
+      model.setup.ligaments.push_back(spring);
+   }
+}
+} // namespace
+
+void ReadDiscrete(const FebInput &section, FebModel &model)
+{
+   std::vector<FebSpringMaterial> materials;
+   for (const FebInput &material : section.All("discrete_material"))
+   {
+      materials.push_back(ReadSpringMaterial(material));
+   }
+   for (const FebInput &discrete : section.All("discrete"))
+   {
+      AddSprings(discrete, materials, model);
+   }
+}
+
+} // namespace synovia
