@@ -78,8 +78,8 @@ struct NewtonTuning
    mfem::real_t multiplier_compliance = 0.02;
    /// The last iterations of a solve keep the tangents of bodies and contact:
    /// those that leave at most this, in tolerances, if the residual falls as it
-   /// did in the iteration before, where it fell by ten at least. Larger: fewer
-   /// tangents, but more iterations. 0: none does.
+   /// did in the iteration before, where it fell by ten at least. None with
+   /// friction. Larger: fewer tangents, but more iterations. 0: none does.
    mfem::real_t kept_tangent = 30.0;
    /// Smallest part of a step that the line search tries before the solve
    /// fails. Smaller: more evaluations before a time step is cut.

@@ -71,7 +71,9 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       // Tractions of the penalties, above the shear modulus, would make
       // surfaces buckle.
       contact.SetTractions(ContactStiffness::bodies);
-      if (renewal.IsDue(balance))
+      // What sticks and what slides differ too much for the tangent of a
+      // former state.
+      if (renewal.IsDue(balance) || contact.HasFriction())
       {
          direction.Linearize(stage);
       }
