@@ -216,7 +216,9 @@ void ReadPair(const FebInput &contact, FebModel &model)
    pair.destination = {surfaces.surfaces[0]};
    pair.source = {surfaces.surfaces[1]};
    const bool rigid_primary = IsRigid(primary, model);
-   if (elastic && (IsWet(primary, model) || IsWet(secondary, model)))
+   const bool wet_primary = IsWet(primary, model);
+   const bool wet_secondary = IsWet(secondary, model);
+   if (elastic && (wet_primary || wet_secondary))
    {
       contact.Stop("the surfaces of sliding-elastic have no fluid behind them "
                    "here; sliding-biphasic lets it pass");
@@ -225,17 +227,15 @@ void ReadPair(const FebInput &contact, FebModel &model)
    {
       contact.Stop("both surfaces are of rigid bodies");
    }
-   const bool dry_primary = pair.options.friction.coefficient > 0.0 &&
-                            !IsWet(primary, model) && IsWet(secondary, model);
-   if (rigid_primary || dry_primary)
+   const FrictionOptions &friction = pair.options.friction;
+   const bool rubs = friction.coefficient > 0.0;
+   if (rigid_primary || (rubs && !wet_primary && wet_secondary))
    {
       // Rigid surfaces bear no multipliers, and friction depends on the fluid
       // of the side that does.
       std::swap(pair.destination, pair.source);
    }
-   if (pair.options.friction.coefficient > 0.0 &&
-       pair.options.friction.solid_fraction < 1.0 && IsWet(primary, model) &&
-       IsWet(secondary, model))
+   if (rubs && friction.solid_fraction < 1.0 && wet_primary && wet_secondary)
    {
       // Pressures of order 1 alternate from node to node where hardly any fluid
       // flows, and friction would follow them.

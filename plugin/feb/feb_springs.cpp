@@ -42,9 +42,12 @@ FebSpringMaterial ReadSpringMaterial(const FebInput &input)
    return material;
 }
 
-// The rigid body that a node belongs to or is tied to; empty if there is none.
-std::string FindBody(int node, const FebModel &model)
+/// Names of the rigid bodies that nodes belong or are tied to, by their places.
+using RigidNodes = std::map<int, std::string>;
+
+RigidNodes FindRigidNodes(const FebModel &model)
 {
+   RigidNodes bodies;
    for (size_t i = 0; i < model.materials.rigid.size(); i++)
    {
       const RigidBodyCase &body = model.setup.rigid_bodies[i];
@@ -52,32 +55,36 @@ std::string FindBody(int node, const FebModel &model)
       {
          for (const FebCell &cell : model.mesh.parts[part].cells)
          {
-            if (std::find(cell.nodes.begin(), cell.nodes.end(), node) !=
-                cell.nodes.end())
+            for (const int node : cell.nodes)
             {
-               return body.name;
+               bodies.emplace(node, body.name);
             }
          }
       }
       for (const std::string &surface : body.surfaces)
       {
-         if (model.surfaces->NodalAreas(surface).count(node) > 0)
+         for (const auto &corner : model.surfaces->NodalAreas(surface))
          {
-            return body.name;
+            bodies.emplace(corner.first, body.name);
          }
       }
    }
-   return "";
+   return bodies;
 }
 
-LigamentEnd ReadEnd(const FebInput &where, int node, const FebModel &model)
+LigamentEnd ReadEnd(const FebInput &where, int node, const RigidNodes &bodies,
+                    const FebMesh &mesh)
 {
    LigamentEnd end;
-   end.point = model.mesh.nodes[node];
-   end.body = FindBody(node, model);
-   if (end.body.empty())
+   end.point = mesh.nodes[node];
+   const auto found = bodies.find(node);
+   if (found != bodies.end())
    {
-      where.Stop("node " + std::to_string(model.mesh.numbers[node]) +
+      end.body = found->second;
+   }
+   else
+   {
+      where.Stop("node " + std::to_string(mesh.numbers[node]) +
                  " belongs to no rigid body; discrete springs are between "
                  "rigid bodies");
    }
@@ -86,7 +93,7 @@ LigamentEnd ReadEnd(const FebInput &where, int node, const FebModel &model)
 
 void AddSprings(const FebInput &discrete,
                 const std::vector<FebSpringMaterial> &materials,
-                FebModel &model)
+                const RigidNodes &bodies, FebModel &model)
 {
    const std::string called = discrete.NeededAttribute("dmat");
    const auto material =
@@ -112,8 +119,8 @@ void AddSprings(const FebInput &discrete,
          spring.name += "_" + std::to_string(++count);
       }
       spring.options = material->options;
-      spring.from = ReadEnd(discrete, first, model);
-      spring.to = ReadEnd(discrete, second, model);
+      spring.from = ReadEnd(discrete, first, bodies, model.mesh);
+      spring.to = ReadEnd(discrete, second, bodies, model.mesh);
       if (spring.from.body == spring.to.body && !spring.to.body.empty())
       {
          discrete.Stop("both ends of \"" + spring.name +
@@ -132,9 +139,10 @@ void ReadDiscrete(const FebInput &section, FebModel &model)
    {
       materials.push_back(ReadSpringMaterial(material));
    }
+   const RigidNodes bodies = FindRigidNodes(model);
    for (const FebInput &discrete : section.All("discrete"))
    {
-      AddSprings(discrete, materials, model);
+      AddSprings(discrete, materials, bodies, model);
    }
 }
 
