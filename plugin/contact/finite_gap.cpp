@@ -155,25 +155,31 @@ void FiniteGap::AssembleCoverage()
       }
       // The sum may be below zero for faces that are nearly along the normals.
       hit_area = std::max<real_t>(hit_area, 0.0);
-      for (std::size_t i = begin; i < end; i++)
+      for (std::size_t i = begin; i < end;)
       {
+         const int source = points[i].source;
          at.Evaluate(points[i]);
-         phi = at.Multiplier();
-         phi *= points[i].area;
-         const bool square = at.DestinationDofs().geometry == Geometry::SQUARE;
-         sizes.Add(at.Vertices(), std::sqrt((square ? 1.0 : 2.0) * hit_area),
-                   phi);
-         VertexBlock block(phi.Size(), at.SourceDofs().vertices.size());
-         phi *= at.Stretch();
-         phi /= at.SourceStretch();
-         block.Add(phi, at.SourceMultiplier());
+         VertexBlock block(at.DestinationDofs().vertices.size(),
+                           at.SourceDofs().vertices.size());
+         for (; i < end && points[i].source == source; i++)
+         {
+            at.Evaluate(points[i]);
+            phi = at.Multiplier();
+            phi *= points[i].area;
+            const bool square =
+               at.DestinationDofs().geometry == Geometry::SQUARE;
+            sizes.Add(at.Vertices(), std::sqrt((square ? 1.0 : 2.0) * hit_area),
+                      phi);
+            phi *= at.Stretch();
+            for (int j = 0; j < phi.Size(); j++)
+            {
+               covered.area[j] += phi[j];
+            }
+            phi /= at.SourceStretch();
+            block.Add(phi, at.SourceMultiplier());
+         }
          block.AppendTo(1.0, at.DestinationDofs().vertices,
                         at.SourceDofs().vertices, entries);
-         phi *= at.SourceStretch();
-         for (int j = 0; j < phi.Size(); j++)
-         {
-            covered.area[j] += phi[j];
-         }
       }
       operators.face_coverage.push_back(covered);
    }

@@ -51,8 +51,9 @@ public:
       }
       if (point_force != 0.0)
       {
-         AddTurn(point_force, at.SourceDisplacement(), force_by_normals);
-         AddTurn(-point_force, at.DestinationDisplacement(),
+         const std::array<Point3, 3> turn = at.NormalTurn();
+         AddTurn(point_force, turn, at.SourceDisplacement(), force_by_normals);
+         AddTurn(-point_force, turn, at.DestinationDisplacement(),
                  own_force_by_normals);
       }
    }
@@ -89,18 +90,21 @@ private:
       }
    }
    /// A force that turns with the normal.
-   void AddTurn(real_t size, const Vector &shape, DenseMatrix &turn) const
+   void AddTurn(real_t size, const std::array<Point3, 3> &turn,
+                const Vector &shape, DenseMatrix &by_normals) const
    {
-      for (int v = 0; v < at.Multiplier().Size(); v++)
+      const Vector &m = at.Multiplier();
+      for (int v = 0; v < m.Size(); v++)
       {
          for (int e = 0; e < 3; e++)
          {
-            const Point3 change = at.NormalChange(v, e);
+            real_t *const column = by_normals.GetColumn(3 * v + e);
             for (int k = 0; k < shape.Size(); k++)
             {
+               const real_t share = size * m[v] * shape[k];
                for (int d = 0; d < 3; d++)
                {
-                  turn(3 * k + d, 3 * v + e) += size * shape[k] * change[d];
+                  column[3 * k + d] += share * turn[e][d];
                }
             }
          }

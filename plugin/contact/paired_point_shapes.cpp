@@ -14,6 +14,19 @@ void SetShape(const FiniteElement &element, const IntegrationPoint &ip,
    element.CalcShape(ip, shape);
 }
 
+// The same without computing it twice where another element of the shape has
+// that order.
+void SetShape(const FiniteElement &element, const IntegrationPoint &ip,
+              const FiniteElement &other, const Vector &of_other, Vector &shape)
+{
+   if (element.GetOrder() == other.GetOrder())
+   {
+      shape = of_other;
+      return;
+   }
+   SetShape(element, ip, shape);
+}
+
 void SetSlopes(const FiniteElement &element, const IntegrationPoint &ip,
                DenseMatrix &slopes)
 {
@@ -51,6 +64,19 @@ void PairedPointShapes::GoToFace(int number)
    }
 }
 
+void PairedPointShapes::SetShapes(Geometry::Type geometry,
+                                  const IntegrationPoint &ip,
+                                  Vector &displacement, Vector &pressure,
+                                  Vector &multiplier) const
+{
+   const FiniteElement &vertices = Element(spaces.Multiplier(), geometry);
+   SetShape(vertices, ip, multiplier);
+   SetShape(Element(spaces.Pressure(), geometry), ip, vertices, multiplier,
+            pressure);
+   SetShape(Element(spaces.Displacement(), geometry), ip, vertices, multiplier,
+            displacement);
+}
+
 void PairedPointShapes::Evaluate(const PairedPoint &point)
 {
    GoToFace(point.face);
@@ -59,12 +85,8 @@ void PairedPointShapes::Evaluate(const PairedPoint &point)
    gap = point.gap;
    const Geometry::Type own = destination.geometry;
    const Geometry::Type other = source->dofs.geometry;
-   SetShape(Element(spaces.Displacement(), own), point.ip, u);
-   SetShape(Element(spaces.Pressure(), own), point.ip, p);
-   SetShape(Element(spaces.Multiplier(), own), point.ip, m);
-   SetShape(Element(spaces.Displacement(), other), point.hit, source_u);
-   SetShape(Element(spaces.Pressure(), other), point.hit, source_p);
-   SetShape(Element(spaces.Multiplier(), other), point.hit, source_m);
+   SetShapes(own, point.ip, u, p, m);
+   SetShapes(other, point.hit, source_u, source_p, source_m);
    const Point3 sum =
       InterpolateNormal(pairing.Normals().AtVertices(point.face), m);
    normal_length = Length(sum);
@@ -128,11 +150,21 @@ void PairedPointShapes::Row(const Point3 &along, Vector &row) const
    append(Scaled(-gap / normal_length, Across(normal, along)), m);
 }
 
+std::array<Point3, 3> PairedPointShapes::NormalTurn() const
+{
+   std::array<Point3, 3> turn;
+   for (int d = 0; d < 3; d++)
+   {
+      Point3 unit{{0.0, 0.0, 0.0}};
+      unit[d] = 1.0;
+      turn[d] = Scaled(1.0 / normal_length, Across(normal, unit));
+   }
+   return turn;
+}
+
 Point3 PairedPointShapes::NormalChange(int vertex, int d) const
 {
-   Point3 unit{{0.0, 0.0, 0.0}};
-   unit[d] = 1.0;
-   return Scaled(m[vertex] / normal_length, Across(normal, unit));
+   return Scaled(m[vertex], NormalTurn()[d]);
 }
 
 } // namespace synovia

@@ -63,6 +63,8 @@ public:
    int DisplacementColumns() const;
    /// along . s as a row.
    void Row(const Point3 &along, mfem::Vector &row) const;
+   /// Changes of the unit normal with the components of the interpolated one.
+   std::array<Point3, 3> NormalTurn() const;
    /// Change of the unit normal with component @a d of a vertex's.
    Point3 NormalChange(int vertex, int d) const;
 
@@ -73,6 +75,10 @@ private:
       return *space.FEColl()->FiniteElementForGeometry(geometry);
    }
    void GoToFace(int number);
+   /// Of the spaces, at a point of a face.
+   void SetShapes(mfem::Geometry::Type geometry,
+                  const mfem::IntegrationPoint &ip, mfem::Vector &displacement,
+                  mfem::Vector &pressure, mfem::Vector &multiplier) const;
 
    const SurfacePairing &pairing;
    BiphasicSpaces &spaces;

@@ -2,6 +2,7 @@
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace synovia
 {
@@ -16,6 +17,27 @@ bool AreEqual(const Vector &a, const Vector &b)
    b.HostRead();
    return a.Size() == b.Size() && std::equal(a.begin(), a.end(), b.begin());
 }
+
+// But for what sums of increments make of them.
+bool AreAlike(const Vector &a, const Vector &b)
+{
+   constexpr real_t round_off = 1e-13;
+   if (a.Size() != b.Size())
+   {
+      return false;
+   }
+   a.HostRead();
+   b.HostRead();
+   const real_t size = a.Size() > 0 ? a.Normlinf() : 0.0;
+   for (int i = 0; i < a.Size(); i++)
+   {
+      if (!(std::abs(a[i] - b[i]) <= round_off * size))
+      {
+         return false;
+      }
+   }
+   return true;
+}
 } // namespace
 
 bool EvaluatedBalance::IsAt(const BodyStage &stage) const
@@ -25,6 +47,19 @@ bool EvaluatedBalance::IsAt(const BodyStage &stage) const
                      AreEqual(stage.p0, p0) &&
                      AreEqual(stage.conserved0, conserved0);
    return !AnyRank(!same, comm);
+}
+
+bool EvaluatedBalance::HasDisplacement(const Vector &displacement) const
+{
+   const bool same = known && AreEqual(displacement, u);
+   return !AnyRank(!same, comm);
+}
+
+bool EvaluatedBalance::IsAtStartOf(const BodyStage &stage) const
+{
+   const bool alike = known && AreAlike(u, stage.u0) && AreAlike(p, stage.p0) &&
+                      AreAlike(volume_ratios, stage.conserved0);
+   return !AnyRank(!alike, comm);
 }
 
 void EvaluatedBalance::Set(const BodyStage &stage)

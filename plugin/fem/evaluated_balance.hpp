@@ -15,8 +15,16 @@ public:
 
    /// Whether it was evaluated at @a stage, on all ranks. Collective.
    bool IsAt(const BodyStage &stage) const;
+   /// Whether it was evaluated with this displacement, on all ranks.
+   /// Collective.
+   bool HasDisplacement(const mfem::Vector &displacement) const;
+   /// Whether it was evaluated, but for round-off, at what @a stage begins
+   /// with, on all ranks. Collective.
+   bool IsAtStartOf(const BodyStage &stage) const;
    /// Takes the stage; the vectors below are the caller's to set.
    void Set(const BodyStage &stage);
+   /// Length of the stage that was taken (time).
+   mfem::real_t StageLength() const { return dt; }
    /// What else Mult() depends on has changed.
    void Forget() { known = false; }
 
@@ -25,6 +33,12 @@ public:
 
    mfem::Vector momentum;
    mfem::Vector mass;
+   /// Of the mass, the growth of volume, and what flows in the stage: the
+   /// stabilization is left.
+   mfem::Vector growth;
+   mfem::Vector flow;
+   /// det F at all quadrature points of this rank.
+   mfem::Vector volume_ratios;
 
 private:
    MPI_Comm comm;

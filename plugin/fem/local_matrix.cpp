@@ -58,6 +58,11 @@ LocalMatrix::LocalMatrix(ParFiniteElementSpace &row_space_,
    {
       PutDiagonalFirst();
    }
+   if (row_space.GetNRanks() > 1 && row_space.Conforming() &&
+       column_space.Conforming())
+   {
+      shared_sum = std::make_unique<SharedSum>(row_space, column_space, matrix);
+   }
 }
 
 void LocalMatrix::FindPlaces()
@@ -157,27 +162,8 @@ void LocalMatrix::Add(int element, const DenseMatrix &element_entries)
 
 std::unique_ptr<HypreParMatrix> LocalMatrix::Sum()
 {
-   return SumShared(row_space, column_space, matrix);
-}
-
-std::unique_ptr<HypreParMatrix> SumShared(ParFiniteElementSpace &row_space,
-                                          ParFiniteElementSpace &column_space,
-                                          SparseMatrix &local)
-{
-   const HypreParMatrix diagonal(
-      row_space.GetComm(), row_space.GlobalVSize(), column_space.GlobalVSize(),
-      row_space.GetDofOffsets(), column_space.GetDofOffsets(), &local);
-   if (row_space.GetNRanks() == 1 && row_space.Conforming() &&
-       column_space.Conforming())
-   {
-      return std::make_unique<HypreParMatrix>(diagonal);
-   }
-   const std::unique_ptr<HypreParMatrix> columns(
-      ParMult(&diagonal, column_space.Dof_TrueDof_Matrix()));
-   const std::unique_ptr<HypreParMatrix> transpose(
-      row_space.Dof_TrueDof_Matrix()->Transpose());
-   return std::unique_ptr<HypreParMatrix>(
-      ParMult(transpose.get(), columns.get(), true));
+   return shared_sum ? shared_sum->Sum(entries)
+                     : SumShared(row_space, column_space, matrix);
 }
 
 } // namespace synovia

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "synovia/fem/shared_sum.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -74,13 +74,8 @@ private:
    /// Empty if there is none.
    std::vector<mfem::real_t> constant_part;
    mfem::SparseMatrix matrix;
+   /// None on one rank.
+   std::unique_ptr<SharedSum> shared_sum;
 };
-
-/// P_r^T A P_c of a matrix on local dofs. hypre's product of two matrices,
-/// twice, takes a fifth of the time of its product of three, which MFEM's
-/// ParallelAssemble() uses; on one rank a copy will do. Collective.
-std::unique_ptr<mfem::HypreParMatrix>
-SumShared(mfem::ParFiniteElementSpace &row_space,
-          mfem::ParFiniteElementSpace &column_space, mfem::SparseMatrix &local);
 
 } // namespace synovia

@@ -147,6 +147,11 @@ FollowerLoads::State TotalLagrangianForm::ToLoads(const BodyStage &stage) const
 void TotalLagrangianForm::GetConserved(const Vector &true_u,
                                        Vector &conserved) const
 {
+   if (balance.HasDisplacement(true_u))
+   {
+      conserved = balance.volume_ratios;
+      return;
+   }
    BodyStage stage;
    stage.u = true_u;
    stage.p.SetSize(spaces.Pressure().GetTrueVSize());
@@ -168,13 +173,35 @@ void TotalLagrangianForm::StartStage(const BodyStage &stage,
                                      const Vector &pressure_rate,
                                      real_t rate_dt)
 {
-   balance.Forget();
-   start_balance.Forget();
    if (smooth_stabilization)
    {
       smooth_stabilization->Mult(pressure_rate, relief);
       relief *= std::min(stage.dt, rate_dt);
    }
+   CarryOver(stage);
+   balance.Forget();
+}
+
+void TotalLagrangianForm::CarryOver(const BodyStage &stage)
+{
+   start_balance.Forget();
+   // Loads may be others then.
+   if (HasLoads() || !balance.IsAtStartOf(stage))
+   {
+      return;
+   }
+   BodyStage start(stage);
+   start.u = stage.u0;
+   start.p = stage.p0;
+   start_balance.Set(start);
+   start_balance.momentum = balance.momentum;
+   start_balance.growth.SetSize(balance.growth.Size());
+   start_balance.growth = 0.0;
+   start_balance.flow = balance.flow;
+   start_balance.flow *= stage.dt / balance.StageLength();
+   start_balance.mass = start_balance.flow;
+   start_balance.volume_ratios = balance.volume_ratios;
+   AddStabilization(start, start_balance.mass);
 }
 
 void TotalLagrangianForm::Mult(const BodyStage &stage, Vector &momentum,
@@ -191,39 +218,47 @@ void TotalLagrangianForm::Remember(const BodyStage &stage,
    if (!evaluated.IsAt(stage))
    {
       evaluated.Set(stage);
-      Evaluate(stage, evaluated.momentum, evaluated.mass);
+      Evaluate(stage, evaluated);
    }
 }
 
-void TotalLagrangianForm::Evaluate(const BodyStage &stage, Vector &momentum,
-                                   Vector &mass) const
+void TotalLagrangianForm::Evaluate(const BodyStage &stage,
+                                   EvaluatedBalance &evaluated) const
 {
    ToLocal(stage);
-   Vector local_momentum(u.Size());
-   Vector local_mass(p.Size());
-   local_momentum = 0.0;
-   local_mass = 0.0;
+   local.momentum.SetSize(u.Size());
+   local.growth.SetSize(p.Size());
+   local.flow.SetSize(p.Size());
+   local.volume_ratios.SetSize(element.AllPoints());
+   local.momentum = 0.0;
+   local.growth = 0.0;
+   local.flow = 0.0;
+   local.volume_ratios = 1.0;
    if (HasLoads())
    {
-      AddLocalLoads(stage, local_momentum, local_mass);
-      local_momentum *= -1.0;
-      local_mass *= -stage.dt;
+      AddLocalLoads(stage, local.momentum, local.flow);
+      local.momentum *= -1.0;
+      local.flow *= -stage.dt;
    }
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
       if (!IsRigid(e))
       {
          element.Set(e, u, p);
-         AddElement(stage, local_momentum, local_mass);
+         AddElement(stage);
       }
    }
-   SumIntoTrueDofs(spaces.Displacement(), local_momentum, momentum);
-   SumIntoTrueDofs(spaces.Pressure(), local_mass, mass);
+   SumIntoTrueDofs(spaces.Displacement(), local.momentum, evaluated.momentum);
+   SumIntoTrueDofs(spaces.Pressure(), local.growth, evaluated.growth);
+   SumIntoTrueDofs(spaces.Pressure(), local.flow, evaluated.flow);
+   evaluated.volume_ratios = local.volume_ratios;
    for (const SpringFoundation &spring : springs)
    {
-      spring.Matrix().Mult(1.0, stage.u, 1.0, momentum);
+      spring.Matrix().Mult(1.0, stage.u, 1.0, evaluated.momentum);
    }
-   AddStabilization(stage, mass);
+   evaluated.mass = evaluated.growth;
+   evaluated.mass += evaluated.flow;
+   AddStabilization(stage, evaluated.mass);
 }
 
 void TotalLagrangianForm::AddLocalLoads(const BodyStage &stage, Vector &forces,
@@ -255,8 +290,7 @@ void TotalLagrangianForm::AddLoads(const BodyStage &stage,
    momentum += forces;
 }
 
-void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
-                                     Vector &mass) const
+void TotalLagrangianForm::AddElement(const BodyStage &stage) const
 {
    const Material &material = materials.Get(element.Attribute());
    const bool wet = material.HasFluid();
@@ -266,6 +300,7 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
       mean_dilatation.Evaluate(element, *material.solid);
    DenseMatrix stresses(3 * points, 3);
    Vector growths(points);
+   Vector supplies(points);
    Vector flows(3 * points);
    Tensor3<> stress;
    Tensor3<> conductance{};
@@ -298,19 +333,26 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage, Vector &momentum,
       {
          flows[3 * q + c] = fluid[c];
       }
-      growths[q] = weight * (J - stage.conserved0[element.FirstPoint() + q] -
-                             stage.dt * J * material.supply.Rate(pressure));
+      const int number = element.FirstPoint() + q;
+      local.volume_ratios[number] = J;
+      growths[q] = weight * (J - stage.conserved0[number]);
+      supplies[q] = -weight * stage.dt * J * material.supply.Rate(pressure);
    }
    Vector forces(element.DisplacementDofs().Size());
    DenseMatrix by_node(forces.GetData(), forces.Size() / 3, 3);
    mfem::Mult(element.Slopes(), stresses, by_node);
-   momentum.AddElementVector(element.DisplacementDofs(), forces);
+   local.momentum.AddElementVector(element.DisplacementDofs(), forces);
    if (wet)
    {
       Vector volumes(element.PressureDofs().Size());
       element.PressureShapes().Mult(growths, volumes);
-      element.PressureSlopes().AddMult(flows, volumes);
-      mass.AddElementVector(element.PressureDofs(), volumes);
+      local.growth.AddElementVector(element.PressureDofs(), volumes);
+      element.PressureSlopes().Mult(flows, volumes);
+      if (material.HasSupply())
+      {
+         element.PressureShapes().AddMult(supplies, volumes);
+      }
+      local.flow.AddElementVector(element.PressureDofs(), volumes);
    }
 }
 
@@ -364,30 +406,8 @@ void TotalLagrangianForm::MultFromStart(const BodyStage &stage,
 void TotalLagrangianForm::GetGrowth(const BodyStage &stage,
                                     Vector &true_growth) const
 {
-   ToLocal(stage);
-   Vector local(p.Size());
-   local = 0.0;
-   Vector growths;
-   Vector volumes;
-   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
-   {
-      if (!materials.Get(spaces.GetMesh().GetAttribute(e)).HasFluid())
-      {
-         continue;
-      }
-      element.Set(e, u, p);
-      growths.SetSize(element.Points());
-      for (int q = 0; q < element.Points(); q++)
-      {
-         growths[q] =
-            element.Weight(q) * (det(element.DeformationGradient(q)) -
-                                 stage.conserved0[element.FirstPoint() + q]);
-      }
-      volumes.SetSize(element.PressureDofs().Size());
-      element.PressureShapes().Mult(growths, volumes);
-      local.AddElementVector(element.PressureDofs(), volumes);
-   }
-   SumIntoTrueDofs(spaces.Pressure(), local, true_growth);
+   Remember(stage, balance);
+   true_growth = balance.growth;
 }
 
 real_t TotalLagrangianForm::Inflow(const BodyStage &stage) const

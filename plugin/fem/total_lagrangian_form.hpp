@@ -69,18 +69,19 @@ private:
    FollowerLoads::State ToLoads(const BodyStage &stage) const;
    /// Evaluates at a stage unless it was there last.
    void Remember(const BodyStage &stage, EvaluatedBalance &evaluated) const;
-   /// Mult() without what is remembered.
-   void Evaluate(const BodyStage &stage, mfem::Vector &momentum,
-                 mfem::Vector &mass) const;
+   /// The same without looking.
+   void Evaluate(const BodyStage &stage, EvaluatedBalance &evaluated) const;
+   /// Sets the balance where a stage starts from the one where the stage before
+   /// it ended, if that is the same state.
+   void CarryOver(const BodyStage &stage);
    bool HasLoads() const { return loads.Any() || gravity; }
    /// Adds the loads and the volume / time that they let in, local dofs, after
    /// ToLocal().
    void AddLocalLoads(const BodyStage &stage, mfem::Vector &forces,
                       mfem::Vector &inflow) const;
-   /// Adds an element's part, local dofs; not finite where its state is
-   /// impossible.
-   void AddElement(const BodyStage &stage, mfem::Vector &momentum,
-                   mfem::Vector &mass) const;
+   /// Adds an element's part to the local sums; not finite where its state is
+   /// impossible. Sets the volume ratios at its points.
+   void AddElement(const BodyStage &stage) const;
    /// The effective stress at a point of the element, after Evaluate() where
    /// the material has a mean dilatation; false where the law has no value.
    bool GetStress(const Material &material, int point, const Tensor3<> &F,
@@ -128,6 +129,15 @@ private:
    std::unique_ptr<BodyElement> straight_element;
    ElementTangent tangent;
    mutable MeanDilatation mean_dilatation;
+   /// What Evaluate() sums: local dofs, and all points.
+   struct LocalSums
+   {
+      mfem::Vector momentum;
+      mfem::Vector growth;
+      mfem::Vector flow;
+      mfem::Vector volume_ratios;
+   };
+   mutable LocalSums local;
    /// Local dofs.
    mutable mfem::Vector u;
    mutable mfem::Vector u0;

@@ -3,6 +3,7 @@
 #include "synovia/fem/local_matrix.hpp"
 #include "synovia/fem/pressure_projection_integrator.hpp"
 #include "synovia/fem/quadrature_order.hpp"
+#include "synovia/fem/shared_sum.hpp"
 
 namespace synovia
 {

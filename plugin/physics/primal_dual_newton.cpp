@@ -140,12 +140,17 @@ bool PrimalDualNewton::SettleFirstSet(ImplicitStage &stage, real_t norm,
    for (int i = 0; i < options.tuning.newton.max_first_sets && changed; i++)
    {
       changed = PredictSet(stage);
+      if (!changed)
+      {
+         Assess(stage, ContactStiffness::penalty, tolerance);
+         direction.KeepTangent();
+         break;
+      }
       EvaluateBodies(stage);
       Assess(stage, ContactStiffness::penalty, tolerance);
       contact.SetTractions(ContactStiffness::none);
       direction.Linearize(stage);
-      if (changed &&
-          !direction.Solve(residual, loose, tolerance, step, FirstGuess::given))
+      if (!direction.Solve(residual, loose, tolerance, step, FirstGuess::given))
       {
          return false;
       }
