@@ -257,7 +257,8 @@ Mesh MeshCylinderEnd(const RigidShape &shape, bool upper)
    {
       for (int i = 0; i < 6 * ring; i++)
       {
-         const real_t from = sixth * (i / ring);
+         const int side = i / ring;
+         const real_t from = sixth * side;
          const real_t part = real_t(i % ring) / ring;
          const real_t r = real_t(ring) / rings;
          add(

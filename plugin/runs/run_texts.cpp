@@ -34,6 +34,13 @@ std::string JumpText(mfem::real_t jump)
           "curve that begins there, or relative = true, avoids that";
 }
 
+std::string PlaceText(const StrainExtreme &extreme)
+{
+   return "in region \"" + extreme.region + "\" at (" +
+          ToText(extreme.place[0]) + ", " + ToText(extreme.place[1]) + ", " +
+          ToText(extreme.place[2]) + ")";
+}
+
 std::string StepText(int step, const StepReport &report)
 {
    std::ostringstream text;

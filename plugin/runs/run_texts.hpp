@@ -2,6 +2,7 @@
 
 #include "synovia/cases/case_steps.hpp"
 #include "synovia/fem/biphasic_spaces.hpp"
+#include "synovia/fem/strain_monitor.hpp"
 #include "synovia/physics/biphasic_operator.hpp"
 #include "synovia/time/time_stepper.hpp"
 
@@ -20,6 +21,9 @@ std::string BeginText(const CaseOfStep &step);
 
 /// A warning of displacements that begin so far (length) from where they are.
 std::string JumpText(mfem::real_t jump);
+
+/// Region and place of an extreme.
+std::string PlaceText(const StrainExtreme &extreme);
 
 /// Result of a step.
 std::string StepText(int step, const StepReport &report);

@@ -56,18 +56,31 @@ TimeStepper &Simulation::Stepper()
    TimeStepper &stepper = sequence.Stepper();
    if (!strains)
    {
-      Array<int> rigid;
-      for (const int region : mesh.Get().attributes)
-      {
-         if (Problem().Materials().Get(region).IsRigid())
-         {
-            rigid.Append(region);
-         }
-      }
-      strains = std::make_unique<StrainMonitor>(mesh, stepper.Displacement(),
-                                                setup.space.deformation, rigid);
+      MakeMonitors(stepper);
    }
    return stepper;
+}
+
+void Simulation::MakeMonitors(TimeStepper &stepper)
+{
+   Array<int> rigid;
+   for (const int region : mesh.Get().attributes)
+   {
+      if (Problem().Materials().Get(region).IsRigid())
+      {
+         rigid.Append(region);
+      }
+   }
+   strains = std::make_unique<StrainMonitor>(mesh, stepper.Displacement(),
+                                             setup.space.deformation, rigid);
+   const VolumeMatrices &matrices =
+      Problem().Operator().Equations().Bodies().Tangent();
+   if (matrices.stabilization)
+   {
+      stabilized_volume = std::make_unique<StabilizedVolume>(
+         mesh, Problem().Spaces(), Problem().Materials(),
+         *matrices.stabilization);
+   }
 }
 
 bool Simulation::IsNow(real_t time)
@@ -358,6 +371,7 @@ void Simulation::BeginNextStep()
    // They look at what the step had.
    output.reset();
    strains.reset();
+   stabilized_volume.reset();
    sequence.Advance();
    output = MakeOutput();
    output->Open(Stepper(), true);
@@ -397,10 +411,20 @@ void Simulation::Record(const StepReport &report)
       row.emplace_back("step", sequence.Number());
    }
    output->Record(row);
-   const std::string warning = strain_record.Add(now, report.time);
-   if (!warning.empty())
+   std::vector<std::string> warnings{strain_record.Add(now, report.time)};
+   if (stabilized_volume)
    {
-      Say("warning: " + warning);
+      Vector p;
+      Stepper().Pressure().GetTrueDofs(p);
+      warnings.push_back(stabilization_record.Add(
+         stabilized_volume->FindLargest(p), report.time));
+   }
+   for (const std::string &warning : warnings)
+   {
+      if (!warning.empty())
+      {
+         Say("warning: " + warning);
+      }
    }
    log->Add(StepText(Stepper().Steps(), report));
    if (output->CheckpointIsDue())
@@ -428,10 +452,13 @@ int Simulation::Run()
 void Simulation::Finish()
 {
    Say(PhaseText(sequence.Times(), watch.RealTime(), output_seconds));
-   const std::string largest = strain_record.Summary();
-   if (!largest.empty())
+   for (const std::string &largest :
+        {strain_record.Summary(), stabilization_record.Summary()})
    {
-      Say(largest);
+      if (!largest.empty())
+      {
+         Say(largest);
+      }
    }
    for (const ContactPair *pair : Problem().Operator().Pairs())
    {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "synovia/cases/case_file.hpp"
+#include "synovia/fem/stabilized_volume.hpp"
 #include "synovia/general/stop_request.hpp"
 #include "synovia/io/progress.hpp"
 #include "synovia/io/run_log.hpp"
 #include "synovia/runs/run_directory.hpp"
 #include "synovia/runs/run_output.hpp"
+#include "synovia/runs/stabilization_record.hpp"
 #include "synovia/runs/step_sequence.hpp"
 #include "synovia/runs/strain_record.hpp"
 
@@ -94,6 +96,7 @@ private:
    void Say(const std::string &text);
    void SayStep();
    std::unique_ptr<RunOutput> MakeOutput();
+   void MakeMonitors(TimeStepper &stepper);
    void BeginNextStep();
    StepReport TakeStep();
    void Record(const StepReport &report);
@@ -109,6 +112,9 @@ private:
    StepSequence sequence;
    std::unique_ptr<StrainMonitor> strains;
    StrainRecord strain_record;
+   /// Null where nothing is stabilized.
+   std::unique_ptr<StabilizedVolume> stabilized_volume;
+   StabilizationRecord stabilization_record;
    std::unique_ptr<RunDirectory> directory;
    std::unique_ptr<RunLog> log;
    std::unique_ptr<RunOutput> output;

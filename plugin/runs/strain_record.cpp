@@ -1,5 +1,6 @@
 #include "synovia/runs/strain_record.hpp"
 #include "synovia/general/text.hpp"
+#include "synovia/runs/run_texts.hpp"
 
 #include <cmath>
 
@@ -15,9 +16,7 @@ constexpr real_t smallest_det_F = 0.5;
 
 std::string Described(const StrainExtreme &extreme)
 {
-   return ToText(extreme.value) + " in region \"" + extreme.region + "\" at (" +
-          ToText(extreme.place[0]) + ", " + ToText(extreme.place[1]) + ", " +
-          ToText(extreme.place[2]) + ")";
+   return ToText(extreme.value) + " " + PlaceText(extreme);
 }
 } // namespace
 

@@ -79,7 +79,7 @@ NOT_RUN = {
     "scripts/test --sanitize": "builds all of it a second time",
     "scripts/test --compiler clang++-14 --build-type Debug":
         "builds all of it a second time",
-    "scripts/test --tidy": "takes ten minutes",
+    "scripts/test --tidy": "builds and checks all of it by another compiler",
     "sbatch scripts/benchmark.slurm": "needs a cluster",
     "sbatch scripts/run.slurm CASE.toml --output out/case": "needs a cluster",
     "scripts/packaging/make_deb out/packages":

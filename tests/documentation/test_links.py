@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Links of the READMEs.
 
 Requirements: files and pictures that they name are there, and so are headings

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Every C++ block of the READMEs, compiled against the library.
 
 Requirements: each compiles without a warning, with the flags of the miniapps;

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """The audit of what ranks hold and send, on small problems.
 
 Requirements: the message counter sees each kind of message once, in its phase;

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """scripts/benchmark: a small sweep by the real program, all of them by one that
 pretends.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """scripts/benchmark --tables, on coarse meshes and with numbers made up.
 
 Requirements: a table has what the runs took, with commit and machine; it goes

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """scripts/compare_histories.py: builds that agree, that differ, that fail.
 
 A build that differs is a script that starts the same program with another

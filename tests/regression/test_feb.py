@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Models of FEBio from the file to the result.
 
 Requirements: a column under a small load consolidates as Terzaghi's solution

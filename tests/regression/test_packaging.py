@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """The Debian package, and the recipes that install it or build Synovia.
 
 Requirements: the package has the program, MFEM's library for it alone, cases and

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Fits of the Python package.
 
 Noise that is added to an indentation's curve does not hide its parameters: they

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """Shipped cases in finite deformation with loads times 1e-4.
 
 Requirements: forces, pressures, strains and fluid are those of infinitesimal

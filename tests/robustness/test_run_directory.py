@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# processors: 1
 """The output directory of a run, and what a run that goes on may differ in.
 
 Requirements: a directory belongs to one run, which other runs are told about;
