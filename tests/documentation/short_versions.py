@@ -24,7 +24,7 @@ COARSE = {
     "boxes.py": "3", "glenohumeral.py": "2.5", "hertz.py": "1.5",
     "indentation.py": "3", "indentation_wedge.py": "4",
     "knee_from_segmentation.py": "3",
-    "knee_parametric.py": "4", "meniscus_ring.py": "1.8"}
+    "knee_parametric.py": "5", "meniscus_ring.py": "1.8"}
 KNEE = ["knee_parametric.py", "--size", COARSE["knee_parametric.py"]]
 # In finite deformation a tenth of the load: a few long steps are then enough.
 LIGHT = {
