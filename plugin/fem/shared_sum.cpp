@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <cstdint>
 
 namespace synovia
 {
@@ -75,25 +76,24 @@ std::vector<HYPRE_BigInt> EndsOfRanks(const ParFiniteElementSpace &space)
                  MPI_BYTE, space.GetComm());
    return ends;
 }
-} // namespace
 
-SharedSum::SharedSum(ParFiniteElementSpace &row_space,
-                     ParFiniteElementSpace &column_space, SparseMatrix &local)
-   : comm(row_space.GetComm()),
-     pattern(SumShared(row_space, column_space, local))
+/// Global row and column.
+using Position = std::array<HYPRE_BigInt, 2>;
+
+/// Sets where local entries are in the sum, or, of rows of rank r, -1 - r, and
+/// returns their positions, rank by rank.
+std::vector<std::vector<Position>>
+FindPlaces(const ParFiniteElementSpace &row_space,
+           const ParFiniteElementSpace &column_space, const SparseMatrix &local,
+           EntryPlaces &entries, std::vector<int> &places)
 {
-   using Position = std::array<HYPRE_BigInt, 2>;
-   EntryPlaces entries(*pattern);
-   const HYPRE_BigInt first_row = row_space.GetMyTDofOffset();
    const std::vector<HYPRE_BigInt> ends = EndsOfRanks(row_space);
    std::vector<HYPRE_BigInt> columns(column_space.GetVSize());
    for (int j = 0; j < column_space.GetVSize(); j++)
    {
       columns[j] = column_space.GetGlobalTDofNumber(j);
    }
-   const int ranks = row_space.GetNRanks();
-   std::vector<std::vector<Position>> asked(ranks);
-   // Entries for another rank have that rank's number, less than zero, first.
+   std::vector<std::vector<Position>> others(ends.size());
    places.resize(local.NumNonZeroElems());
    for (int row = 0; row < row_space.GetVSize(); row++)
    {
@@ -103,53 +103,65 @@ SharedSum::SharedSum(ParFiniteElementSpace &row_space,
       const bool mine = owner == row_space.GetMyRank();
       if (mine)
       {
-         entries.GoToRow(static_cast<int>(global_row - first_row));
+         entries.GoToRow(
+            static_cast<int>(global_row - row_space.GetMyTDofOffset()));
       }
       for (int k = local.GetI()[row]; k < local.GetI()[row + 1]; k++)
       {
          const HYPRE_BigInt column = columns[local.GetJ()[k]];
-         if (mine)
+         places[k] = mine ? entries.Find(column) : -1 - owner;
+         if (!mine)
          {
-            places[k] = entries.Find(column);
-         }
-         else
-         {
-            places[k] = -1 - owner;
-            asked[owner].push_back({global_row, column});
+            others[owner].push_back({global_row, column});
          }
       }
    }
-   std::vector<int> next(ranks, entries.Count());
-   for (int r = 0; r < ranks; r++)
-   {
-      if (r > 0)
-      {
-         next[r] = next[r - 1] + static_cast<int>(asked[r - 1].size());
-      }
-      if (!asked[r].empty())
-      {
-         outgoing.push_back({r, std::vector<real_t>(asked[r].size()), {}});
-      }
-   }
-   MFEM_VERIFY(entries.Count() + local.NumNonZeroElems() < INT_MAX,
+   return others;
+}
+} // namespace
+
+SharedSum::SharedSum(ParFiniteElementSpace &row_space,
+                     ParFiniteElementSpace &column_space, SparseMatrix &local)
+   : comm(row_space.GetComm()),
+     pattern(SumShared(row_space, column_space, local))
+{
+   EntryPlaces entries(*pattern);
+   MFEM_VERIFY(std::int64_t(entries.Count()) + local.NumNonZeroElems() <
+                  INT_MAX,
                "a rank's matrix has more than 2^31 entries: use more ranks");
-   sums.resize(next.back() + asked.back().size());
+   std::vector<std::vector<Position>> others =
+      FindPlaces(row_space, column_space, local, entries, places);
+   std::vector<int> next;
+   int end = entries.Count();
+   for (std::size_t r = 0; r < others.size(); r++)
+   {
+      next.push_back(end);
+      end += static_cast<int>(others[r].size());
+      if (!others[r].empty())
+      {
+         outgoing.push_back(
+            {static_cast<int>(r), std::vector<real_t>(others[r].size()), {}});
+      }
+   }
+   sums.resize(end);
    for (int &place : places)
    {
       place = place < 0 ? next[-1 - place]++ : place;
    }
    const std::vector<std::vector<Position>> wanted =
-      Exchange(std::move(asked), comm);
-   for (int r = 0; r < ranks; r++)
+      Exchange(std::move(others), comm);
+   for (std::size_t r = 0; r < wanted.size(); r++)
    {
+      Message message{
+         static_cast<int>(r), std::vector<real_t>(wanted[r].size()), {}};
+      for (const auto &[row, column] : wanted[r])
+      {
+         entries.GoToRow(static_cast<int>(row - row_space.GetMyTDofOffset()));
+         message.places.push_back(entries.Find(column));
+      }
       if (!wanted[r].empty())
       {
-         incoming.push_back({r, std::vector<real_t>(wanted[r].size()), {}});
-         for (const auto &[row, column] : wanted[r])
-         {
-            entries.GoToRow(static_cast<int>(row - first_row));
-            incoming.back().places.push_back(entries.Find(column));
-         }
+         incoming.push_back(std::move(message));
       }
    }
 }
