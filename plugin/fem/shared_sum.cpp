@@ -118,112 +118,142 @@ FindPlaces(const ParFiniteElementSpace &row_space,
    }
    return others;
 }
+
+// As the matrix frees it.
+template <typename T>
+Memory<T> Copied(const std::vector<T> &values)
+{
+   Memory<T> copy(static_cast<int>(values.size()));
+   std::copy(values.begin(), values.end(), static_cast<T *>(copy));
+   return copy;
+}
 } // namespace
 
-SharedSum::SharedSum(ParFiniteElementSpace &row_space,
-                     ParFiniteElementSpace &column_space, SparseMatrix &local)
-   : comm(row_space.GetComm()),
-     pattern(SumShared(row_space, column_space, local))
+SharedSum::SharedSum(ParFiniteElementSpace &row_space_,
+                     ParFiniteElementSpace &column_space_, SparseMatrix &local)
+   : row_space(row_space_), column_space(column_space_)
 {
-   EntryPlaces entries(*pattern);
-   MFEM_VERIFY(std::int64_t(entries.Count()) + local.NumNonZeroElems() <
-                  INT_MAX,
+   const std::unique_ptr<HypreParMatrix> pattern =
+      SumShared(row_space, column_space, local);
+   KeepPattern(*pattern);
+   MFEM_VERIFY(std::int64_t(Entries()) + local.NumNonZeroElems() < INT_MAX,
                "a rank's matrix has more than 2^31 entries: use more ranks");
+   EntryPlaces entries(*pattern);
    std::vector<std::vector<Position>> others =
       FindPlaces(row_space, column_space, local, entries, places);
    std::vector<int> next;
-   int end = entries.Count();
+   int end = Entries();
    for (std::size_t r = 0; r < others.size(); r++)
    {
+      const int count = static_cast<int>(others[r].size());
       next.push_back(end);
-      end += static_cast<int>(others[r].size());
-      if (!others[r].empty())
+      end += count;
+      if (count > 0)
       {
-         outgoing.push_back(
-            {static_cast<int>(r), std::vector<real_t>(others[r].size()), {}});
+         outgoing.push_back({static_cast<int>(r), count});
       }
    }
-   sums.resize(end);
    for (int &place : places)
    {
       place = place < 0 ? next[-1 - place]++ : place;
    }
    const std::vector<std::vector<Position>> wanted =
-      Exchange(std::move(others), comm);
+      Exchange(std::move(others), row_space.GetComm());
    for (std::size_t r = 0; r < wanted.size(); r++)
    {
-      Message message{
-         static_cast<int>(r), std::vector<real_t>(wanted[r].size()), {}};
+      Incoming message{static_cast<int>(r), {}};
       for (const auto &[row, column] : wanted[r])
       {
          entries.GoToRow(static_cast<int>(row - row_space.GetMyTDofOffset()));
          message.places.push_back(entries.Find(column));
       }
-      if (!wanted[r].empty())
+      if (!message.places.empty())
       {
          incoming.push_back(std::move(message));
       }
    }
 }
 
+void SharedSum::KeepPattern(const HypreParMatrix &pattern)
+{
+   SparseMatrix diag;
+   SparseMatrix offd;
+   HYPRE_BigInt *numbers;
+   pattern.GetDiag(diag);
+   pattern.GetOffd(offd, numbers);
+   const auto keep = [](const SparseMatrix &from, Block &block)
+   {
+      block.begins.assign(from.GetI(), from.GetI() + from.Height() + 1);
+      block.columns.assign(from.GetJ(), from.GetJ() + from.NumNonZeroElems());
+   };
+   keep(diag, diagonal);
+   keep(offd, beside);
+   column_numbers.assign(numbers, numbers + offd.Width());
+}
+
 std::unique_ptr<HypreParMatrix>
-SharedSum::Sum(const std::vector<real_t> &entries)
+SharedSum::Sum(const std::vector<real_t> &entries) const
 {
    MFEM_VERIFY(entries.size() == places.size(),
                "the entries should be those of the local matrix");
-   std::fill(sums.begin(), sums.end(), 0.0);
+   const int on_diagonal = static_cast<int>(diagonal.columns.size());
+   const int mine = Entries();
+   int all = mine;
+   for (const Outgoing &message : outgoing)
+   {
+      all += message.count;
+   }
+   std::vector<real_t> sums(all, 0.0);
    for (std::size_t k = 0; k < entries.size(); k++)
    {
       sums[places[k]] += entries[k];
    }
-   ExchangeShared();
-   auto sum = std::make_unique<HypreParMatrix>(*pattern);
-   sum->HostReadWrite();
-   SparseMatrix diagonal;
-   SparseMatrix beside;
-   HYPRE_BigInt *column_numbers;
-   sum->GetDiag(diagonal);
-   sum->GetOffd(beside, column_numbers);
-   const real_t *const middle = sums.data() + diagonal.NumNonZeroElems();
-   std::copy(static_cast<const real_t *>(sums.data()), middle,
-             diagonal.GetData());
-   std::copy(middle, middle + beside.NumNonZeroElems(), beside.GetData());
-   sum->HypreRead();
-   return sum;
+   AddIncoming(sums);
+   // They go to the matrix.
+   Memory<real_t> diagonal_values(on_diagonal);
+   Memory<real_t> beside_values(mine - on_diagonal);
+   std::copy_n(sums.data(), on_diagonal,
+               static_cast<real_t *>(diagonal_values));
+   std::copy_n(sums.data() + on_diagonal, mine - on_diagonal,
+               static_cast<real_t *>(beside_values));
+   return std::make_unique<HypreParMatrix>(
+      row_space.GetComm(), row_space.GlobalTrueVSize(),
+      column_space.GlobalTrueVSize(), row_space.GetTrueDofOffsets(),
+      column_space.GetTrueDofOffsets(), Copied(diagonal.begins),
+      Copied(diagonal.columns), diagonal_values, Copied(beside.begins),
+      Copied(beside.columns), beside_values,
+      static_cast<HYPRE_Int>(column_numbers.size()), Copied(column_numbers));
 }
 
-void SharedSum::ExchangeShared()
+void SharedSum::AddIncoming(std::vector<real_t> &sums) const
 {
+   MPI_Comm comm = row_space.GetComm();
+   const MPI_Datatype type = MPITypeMap<real_t>::mpi_type;
    std::vector<MPI_Request> requests;
-   for (Message &message : incoming)
+   std::vector<std::vector<real_t>> received;
+   received.reserve(incoming.size());
+   for (const Incoming &message : incoming)
+   {
+      received.emplace_back(message.places.size());
+      requests.emplace_back();
+      MPI_Irecv(received.back().data(), static_cast<int>(message.places.size()),
+                type, message.rank, 0, comm, &requests.back());
+   }
+   int begin = Entries();
+   for (const Outgoing &message : outgoing)
    {
       requests.emplace_back();
-      MPI_Irecv(message.values.data(), static_cast<int>(message.values.size()),
-                MPITypeMap<real_t>::mpi_type, message.rank, 0, comm,
+      MPI_Isend(sums.data() + begin, message.count, type, message.rank, 0, comm,
                 &requests.back());
-   }
-   std::size_t begin = sums.size();
-   for (const Message &message : outgoing)
-   {
-      begin -= message.values.size();
-   }
-   for (Message &message : outgoing)
-   {
-      std::copy_n(sums.begin() + begin, message.values.size(),
-                  message.values.begin());
-      begin += message.values.size();
-      requests.emplace_back();
-      MPI_Isend(message.values.data(), static_cast<int>(message.values.size()),
-                MPITypeMap<real_t>::mpi_type, message.rank, 0, comm,
-                &requests.back());
+      begin += message.count;
    }
    MPI_Waitall(static_cast<int>(requests.size()), requests.data(),
                MPI_STATUSES_IGNORE);
-   for (const Message &message : incoming)
+   for (std::size_t r = 0; r < incoming.size(); r++)
    {
-      for (std::size_t k = 0; k < message.places.size(); k++)
+      for (std::size_t k = 0; k < received[r].size(); k++)
       {
-         sums[message.places[k]] += message.values[k];
+         sums[incoming[r].places[k]] += received[r][k];
       }
    }
 }

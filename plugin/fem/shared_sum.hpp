@@ -11,14 +11,15 @@ namespace synovia
 /// Sums matrices on local dofs over ranks, P_r^T A P_c, again and again, with
 /// entries in the same places.
 ///
-/// Where each entry goes is found once, four bytes for each; from then on
+/// Where each entry goes is found once, eight bytes for each; from then on
 /// values are added there, and only those of rows that belong to other ranks
 /// travel. Two products of matrices, as in SumShared(), take ten times as long.
 class SharedSum
 {
 public:
-   /// For matrices that have entries where @a local has, in its order. Both
-   /// spaces must be conforming. Collective.
+   /// For matrices that have entries where @a local has, in its order. Borrows
+   /// both spaces, which must be conforming; sums use their offsets, too.
+   /// Collective.
    SharedSum(mfem::ParFiniteElementSpace &row_space,
              mfem::ParFiniteElementSpace &column_space,
              mfem::SparseMatrix &local);
@@ -26,27 +27,44 @@ public:
    /// The sum, on true dofs. Collective.
    /// @param entries  as many as the local matrix has
    std::unique_ptr<mfem::HypreParMatrix>
-   Sum(const std::vector<mfem::real_t> &entries);
+   Sum(const std::vector<mfem::real_t> &entries) const;
 
 private:
-   struct Message
+   /// Where a block of the sum has entries.
+   struct Block
+   {
+      std::vector<int> begins;
+      std::vector<int> columns;
+   };
+   /// Entries that another rank gets, or those of it and where they go.
+   struct Outgoing
    {
       int rank;
-      std::vector<mfem::real_t> values;
-      /// Where what is received is added to.
+      int count;
+   };
+   struct Incoming
+   {
+      int rank;
       std::vector<int> places;
    };
-   void ExchangeShared();
+   void KeepPattern(const mfem::HypreParMatrix &pattern);
+   /// Sends the entries for other ranks, and adds those of them.
+   void AddIncoming(std::vector<mfem::real_t> &sums) const;
+   int Entries() const
+   {
+      return static_cast<int>(diagonal.columns.size() + beside.columns.size());
+   }
 
-   MPI_Comm comm;
-   std::unique_ptr<mfem::HypreParMatrix> pattern;
-   /// Of each local entry, in sums.
+   mfem::ParFiniteElementSpace &row_space;
+   mfem::ParFiniteElementSpace &column_space;
+   Block diagonal;
+   Block beside;
+   std::vector<HYPRE_BigInt> column_numbers;
+   /// Of each local entry: among those of the block on the diagonal, of the one
+   /// beside it, and of those for other ranks, rank by rank.
    std::vector<int> places;
-   /// Entries of the sum's block on the diagonal, of the one beside it, and
-   /// entries for other ranks, rank by rank.
-   std::vector<mfem::real_t> sums;
-   std::vector<Message> outgoing;
-   std::vector<Message> incoming;
+   std::vector<Outgoing> outgoing;
+   std::vector<Incoming> incoming;
 };
 
 /// P_r^T A P_c of a matrix on local dofs. hypre's product of two matrices,
