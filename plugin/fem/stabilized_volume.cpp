@@ -15,6 +15,7 @@ StabilizedVolume::StabilizedVolume(const NamedMesh &mesh_,
                                    const HypreParMatrix &stabilization_)
    : mesh(mesh_), spaces(spaces_), materials(materials_),
      stabilization(stabilization_), smooth_stabilization(spaces, materials),
+     positions(NodePositions(spaces.Displacement())),
      volumes(spaces.Pressure().GetTrueVSize())
 {
    const Array<int> &regions = spaces.GetMesh().attributes;
@@ -62,7 +63,6 @@ StrainExtreme StabilizedVolume::FindLargest(const Vector &p) const
    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
    StrainExtreme extreme;
    extreme.value = largest.part;
-   const Vector positions = NodePositions(spaces.Displacement());
    const bool here = rank == largest.rank && at >= 0;
    for (int d = 0; d < 3 && here; d++)
    {

@@ -36,6 +36,8 @@ private:
    const MaterialTable &materials;
    const mfem::HypreParMatrix &stabilization;
    SmoothStabilization smooth_stabilization;
+   /// Of the vertices, as meshed.
+   mfem::Vector positions;
    /// Around vertices, of what has fluid.
    mfem::Vector volumes;
 };
