@@ -1,6 +1,7 @@
 #include "synovia/fem/stabilized_volume.hpp"
 #include "synovia/fem/node_positions.hpp"
 #include "synovia/general/error.hpp"
+#include "synovia/general/reduce.hpp"
 
 #include <cmath>
 
@@ -41,29 +42,23 @@ StrainExtreme StabilizedVolume::FindLargest(const Vector &p) const
    taken -= smooth;
    taken.HostRead();
    volumes.HostRead();
-   struct
-   {
-      double part;
-      int rank;
-   } largest = {0.0, 0};
-   MPI_Comm comm = spaces.GetComm();
-   MPI_Comm_rank(comm, &largest.rank);
-   const int rank = largest.rank;
+   real_t largest_here = 0.0;
    int at = -1;
    for (int i = 0; i < taken.Size(); i++)
    {
       const real_t part =
          volumes[i] > 0.0 ? std::abs(taken[i]) / volumes[i] : 0.0;
-      if (part > largest.part)
+      if (part > largest_here)
       {
-         largest.part = part;
+         largest_here = part;
          at = i;
       }
    }
-   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+   MPI_Comm comm = spaces.GetComm();
+   const RankedValue largest = LargestOverRanks(largest_here, comm);
    StrainExtreme extreme;
-   extreme.value = largest.part;
-   const bool here = rank == largest.rank && at >= 0;
+   extreme.value = largest.value;
+   const bool here = largest.here && at >= 0;
    for (int d = 0; d < 3 && here; d++)
    {
       // The three components of a node follow each other.

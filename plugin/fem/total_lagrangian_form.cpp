@@ -20,12 +20,6 @@ void SumIntoTrueDofs(const ParFiniteElementSpace &space, const Vector &local,
    space.GetProlongationMatrix()->MultTranspose(local, true_dofs);
 }
 
-// Where its pores close, or without any the volume itself.
-real_t LeastVolumeRatio(const Material &material)
-{
-   return material.HasFluid() ? material.solid_fraction : 0.0;
-}
-
 void VerifyLaws(const NamedMesh &mesh, const MaterialTable &materials)
 {
    for (const int attribute : mesh.Get().attributes)
@@ -310,7 +304,7 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage) const
       const Tensor3<> cofactor = Cofactor(F);
       const real_t J = Determinant(F, cofactor);
       const MaterialPoint point = element.Point(q);
-      const bool possible = mean_possible && J > LeastVolumeRatio(material) &&
+      const bool possible = mean_possible && J > material.LeastVolumeRatio() &&
                             GetStress(material, q, F, stress) &&
                             (!wet || material.permeability->GetReferential(
                                         point, F, conductance, nullptr));
@@ -463,156 +457,9 @@ void TotalLagrangianForm::AddMagnitudes(real_t dt, const Vector &u_magnitude,
    mass += rest_mass;
 }
 
-std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
-{
-   Remember(stage, balance);
-   if (balance.IsFinite())
-   {
-      return "";
-   }
-   ToLocal(stage);
-   std::string failure;
-   for (int e = 0; e < spaces.GetMesh().GetNE() && failure.empty(); e++)
-   {
-      if (IsRigid(e))
-      {
-         continue;
-      }
-      element.Set(e, u, p);
-      for (int q = 0; q < element.Points() && failure.empty(); q++)
-      {
-         failure = ValidatePoint(e, q);
-      }
-   }
-   return AgreeOnText(spaces.GetComm(), failure);
-}
-
-std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
-{
-   const Material &material = materials.Get(element.Attribute());
-   const Tensor3<> F = element.DeformationGradient(point);
-   const real_t J = det(F);
-   Tensor3<> value;
-   std::string what;
-   if (!(J > 0.0))
-   {
-      what = "is turned inside out";
-   }
-   else if (!(J > LeastVolumeRatio(material)))
-   {
-      what = "has no pores left, as its solid fraction is " +
-             ToText(material.solid_fraction);
-   }
-   else if (material.mean_dilatation
-               ? !mean_dilatation.Evaluate(element, *material.solid)
-               : !GetStress(material, point, F, value))
-   {
-      what = "has no finite stress";
-   }
-   else if (material.HasFluid() && !material.permeability->GetReferential(
-                                      element.Point(point), F, value, nullptr))
-   {
-      what = "has no permeability";
-   }
-   if (what.empty())
-   {
-      return "";
-   }
-   const Vector x = element.Position(point);
-   return "the body " + what + " at (" + ToText(x[0]) + ", " + ToText(x[1]) +
-          ", " + ToText(x[2]) + "), as meshed, in element " +
-          std::to_string(mesh.SerialElements()[number]) + " of \"" +
-          NameOf(mesh.Regions(), element.Attribute()) +
-          "\": det F = " + ToText(J);
-}
-
 bool TotalLagrangianForm::IsRigid(int number) const
 {
    return materials.Get(spaces.GetMesh().GetAttribute(number)).IsRigid();
-}
-
-bool TotalLagrangianForm::LinearizeElement(BodyElement &points, int number,
-                                           real_t dt)
-{
-   points.Set(number, u, p);
-   return tangent.Compute(
-      points, materials.Get(spaces.GetMesh().GetAttribute(number)), dt);
-}
-
-void TotalLagrangianForm::LinearizeElement(int number, real_t dt)
-{
-   // Between the points of the residual, which are the ones that are verified,
-   // a law may have no value.
-   if (!straight_element || !LinearizeElement(*straight_element, number, dt))
-   {
-      LinearizeElement(element, number, dt);
-   }
-}
-
-void TotalLagrangianForm::AddTangent(int number)
-{
-   stiffness.Add(number, tangent.stiffness);
-   growth.Add(number, tangent.growth);
-   tangent.flow_change += tangent.growth;
-   divergence.Add(number, tangent.flow_change);
-   darcy.Add(number, tangent.darcy);
-}
-
-void TotalLagrangianForm::CorrectStraightTangent()
-{
-   u = 0.0;
-   p = 0.0;
-   // Nothing flows at rest, but out of vessels for how long is not known.
-   constexpr real_t no_time = 0.0;
-   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
-   {
-      if (IsRigid(e))
-      {
-         continue;
-      }
-      LinearizeElement(element, e, no_time);
-      AddTangent(e);
-      LinearizeElement(*straight_element, e, no_time);
-      for (DenseMatrix *part : {&tangent.stiffness, &tangent.growth,
-                                &tangent.flow_change, &tangent.darcy})
-      {
-         part->Neg();
-      }
-      AddTangent(e);
-   }
-   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
-   {
-      matrix->KeepAsConstant();
-   }
-}
-
-bool TotalLagrangianForm::Linearize(const BodyStage &stage)
-{
-   ToLocal(stage);
-   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
-   {
-      matrix->Clear();
-   }
-   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
-   {
-      if (!IsRigid(e))
-      {
-         LinearizeElement(e, stage.dt);
-         AddTangent(e);
-      }
-   }
-   const FollowerLoads::State state = ToLoads(stage);
-   loads.AddDerivatives(state, stiffness, growth, divergence);
-   if (gravity)
-   {
-      gravity->AddDerivatives(state, stiffness, divergence);
-   }
-   matrices.stiffness = stiffness.Sum();
-   AddSprings();
-   matrices.divergence_transpose.reset(growth.Sum()->Transpose());
-   matrices.divergence = divergence.Sum();
-   matrices.darcy = darcy.Sum();
-   return true;
 }
 
 } // namespace synovia

@@ -25,4 +25,28 @@ inline bool AnyRank(bool value, MPI_Comm comm)
    return MaxOverRanks(value ? 1.0 : 0.0, comm) > 0.5;
 }
 
+/// The largest value over ranks.
+struct RankedValue
+{
+   double value;
+   /// The lowest of the ranks that have it.
+   int rank;
+   /// Whether this rank is the one.
+   bool here;
+};
+
+/// Collective.
+inline RankedValue LargestOverRanks(double value, MPI_Comm comm)
+{
+   int self;
+   MPI_Comm_rank(comm, &self);
+   struct
+   {
+      double value;
+      int rank;
+   } largest = {value, self};
+   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+   return {largest.value, largest.rank, largest.rank == self};
+}
+
 } // namespace synovia

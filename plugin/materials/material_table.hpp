@@ -33,6 +33,12 @@ struct Material
    bool IsRigid() const { return solid == nullptr; }
    bool HasFluid() const { return permeability != nullptr; }
    bool HasSupply() const { return HasFluid() && supply.Any(); }
+   /// det F must be above: pores close there, or without any the volume itself
+   /// vanishes.
+   mfem::real_t LeastVolumeRatio() const
+   {
+      return HasFluid() ? solid_fraction : 0.0;
+   }
 };
 
 /// The material of each element attribute.

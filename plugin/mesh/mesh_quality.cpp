@@ -1,4 +1,5 @@
 #include "synovia/mesh/mesh_quality.hpp"
+#include "synovia/general/reduce.hpp"
 #include "synovia/mesh/jacobian_samples.hpp"
 
 #include <algorithm>
@@ -213,17 +214,11 @@ void FindWorst(const ParMesh &mesh, const Vector &values, MeshQuality &quality)
 {
    const MPI_Comm comm = mesh.GetComm();
    const real_t *const worst = std::min_element(values.begin(), values.end());
-   struct
-   {
-      double value;
-      int rank;
-   } mine = {worst == values.end() ? std::numeric_limits<double>::infinity()
-                                   : *worst,
-             mesh.GetMyRank()},
-     least = mine;
-   MPI_Allreduce(&mine, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, comm);
-   quality.min_scaled_jacobian = least.value;
-   if (least.rank == mesh.GetMyRank() && worst != values.end())
+   const double least_here =
+      worst == values.end() ? std::numeric_limits<double>::infinity() : *worst;
+   const RankedValue least = LargestOverRanks(-least_here, comm);
+   quality.min_scaled_jacobian = -least.value;
+   if (least.here && worst != values.end())
    {
       const int element = static_cast<int>(worst - values.begin());
       quality.worst_attribute = mesh.GetAttribute(element);

@@ -334,27 +334,21 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
 Point3 PrimalDualNewton::WorstPlace() const
 {
    const Vector &forces = residual.GetBlock(0);
-   struct
-   {
-      double size;
-      int rank;
-   } worst = {-1.0, 0};
-   MPI_Comm comm = spaces.GetComm();
-   MPI_Comm_rank(comm, &worst.rank);
-   const int rank = worst.rank;
+   real_t largest_force = -1.0;
    int largest = 0;
    for (int i = 0; i < forces.Size(); i++)
    {
-      if (std::abs(forces[i]) > worst.size)
+      if (std::abs(forces[i]) > largest_force)
       {
-         worst.size = std::abs(forces[i]);
+         largest_force = std::abs(forces[i]);
          largest = i;
       }
    }
-   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+   MPI_Comm comm = spaces.GetComm();
+   const RankedValue worst = LargestOverRanks(largest_force, comm);
    const Vector positions = NodePositions(spaces.Displacement());
    Point3 place{{0.0, 0.0, 0.0}};
-   for (int d = 0; d < 3 && rank == worst.rank; d++)
+   for (int d = 0; d < 3 && worst.here; d++)
    {
       // The three components of a node follow each other.
       place[d] = positions[largest / 3 * 3 + d];

@@ -1,0 +1,92 @@
+#include "synovia/fem/total_lagrangian_form.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+bool TotalLagrangianForm::LinearizeElement(BodyElement &points, int number,
+                                           real_t dt)
+{
+   points.Set(number, u, p);
+   return tangent.Compute(
+      points, materials.Get(spaces.GetMesh().GetAttribute(number)), dt);
+}
+
+void TotalLagrangianForm::LinearizeElement(int number, real_t dt)
+{
+   // Between the points of the residual, which are the ones that are verified,
+   // a law may have no value.
+   if (!straight_element || !LinearizeElement(*straight_element, number, dt))
+   {
+      LinearizeElement(element, number, dt);
+   }
+}
+
+void TotalLagrangianForm::AddTangent(int number)
+{
+   stiffness.Add(number, tangent.stiffness);
+   growth.Add(number, tangent.growth);
+   tangent.flow_change += tangent.growth;
+   divergence.Add(number, tangent.flow_change);
+   darcy.Add(number, tangent.darcy);
+}
+
+void TotalLagrangianForm::CorrectStraightTangent()
+{
+   u = 0.0;
+   p = 0.0;
+   // Nothing flows at rest, but out of vessels for how long is not known.
+   constexpr real_t no_time = 0.0;
+   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
+   {
+      if (IsRigid(e))
+      {
+         continue;
+      }
+      LinearizeElement(element, e, no_time);
+      AddTangent(e);
+      LinearizeElement(*straight_element, e, no_time);
+      for (DenseMatrix *part : {&tangent.stiffness, &tangent.growth,
+                                &tangent.flow_change, &tangent.darcy})
+      {
+         part->Neg();
+      }
+      AddTangent(e);
+   }
+   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   {
+      matrix->KeepAsConstant();
+   }
+}
+
+bool TotalLagrangianForm::Linearize(const BodyStage &stage)
+{
+   ToLocal(stage);
+   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   {
+      matrix->Clear();
+   }
+   for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
+   {
+      if (!IsRigid(e))
+      {
+         LinearizeElement(e, stage.dt);
+         AddTangent(e);
+      }
+   }
+   const FollowerLoads::State state = ToLoads(stage);
+   loads.AddDerivatives(state, stiffness, growth, divergence);
+   if (gravity)
+   {
+      gravity->AddDerivatives(state, stiffness, divergence);
+   }
+   matrices.stiffness = stiffness.Sum();
+   AddSprings();
+   matrices.divergence_transpose.reset(growth.Sum()->Transpose());
+   matrices.divergence = divergence.Sum();
+   matrices.darcy = darcy.Sum();
+   return true;
+}
+
+} // namespace synovia

@@ -1,0 +1,73 @@
+#include "synovia/fem/total_lagrangian_form.hpp"
+#include "synovia/general/error.hpp"
+#include "synovia/general/text.hpp"
+
+namespace synovia
+{
+
+using namespace mfem;
+
+std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
+{
+   Remember(stage, balance);
+   if (balance.IsFinite())
+   {
+      return "";
+   }
+   ToLocal(stage);
+   std::string failure;
+   for (int e = 0; e < spaces.GetMesh().GetNE() && failure.empty(); e++)
+   {
+      if (IsRigid(e))
+      {
+         continue;
+      }
+      element.Set(e, u, p);
+      for (int q = 0; q < element.Points() && failure.empty(); q++)
+      {
+         failure = ValidatePoint(e, q);
+      }
+   }
+   return AgreeOnText(spaces.GetComm(), failure);
+}
+
+std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
+{
+   const Material &material = materials.Get(element.Attribute());
+   const Tensor3<> F = element.DeformationGradient(point);
+   const real_t J = det(F);
+   Tensor3<> value;
+   std::string what;
+   if (!(J > 0.0))
+   {
+      what = "is turned inside out";
+   }
+   else if (!(J > material.LeastVolumeRatio()))
+   {
+      what = "has no pores left, as its solid fraction is " +
+             ToText(material.solid_fraction);
+   }
+   else if (material.mean_dilatation
+               ? !mean_dilatation.Evaluate(element, *material.solid)
+               : !GetStress(material, point, F, value))
+   {
+      what = "has no finite stress";
+   }
+   else if (material.HasFluid() && !material.permeability->GetReferential(
+                                      element.Point(point), F, value, nullptr))
+   {
+      what = "has no permeability";
+   }
+   if (what.empty())
+   {
+      return "";
+   }
+   const Vector x = element.Position(point);
+   return "the body " + what + " at (" + ToText(x[0]) + ", " + ToText(x[1]) +
+          ", " + ToText(x[2]) + "), as meshed, in element " +
+          std::to_string(mesh.SerialElements()[number]) + " of \"" +
+          NameOf(mesh.Regions(), element.Attribute()) +
+          "\": det F = " + ToText(J);
+}
+
+} // namespace synovia
