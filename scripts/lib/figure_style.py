@@ -7,6 +7,7 @@ import matplotlib
 matplotlib.use("Agg")   # figures go to files, on machines without a screen
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import ScalarFormatter  # noqa: E402
 
 BLUE, ORANGE, GREEN, RED, SKY, PINK = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7")
@@ -29,3 +30,24 @@ def use_style() -> None:
         "legend.fontsize": 8, "legend.handlelength": 2.2,
         "savefig.dpi": 300, "figure.dpi": 100,
         "figure.constrained_layout.use": True})
+
+
+class PlainTickFormatter(ScalarFormatter):
+    """Tick labels as text, and only the power of ten that they share as math:
+    parsing labels as math takes a third of the time of a figure."""
+
+    def __init__(self):
+        super().__init__(useMathText=False)
+
+    def get_offset(self) -> str:
+        self.set_useMathText(True)
+        offset = super().get_offset()
+        self.set_useMathText(False)
+        return offset
+
+
+def use_plain_ticks(figure) -> None:
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if type(axis.get_major_formatter()) is ScalarFormatter:
+                axis.set_major_formatter(PlainTickFormatter())

@@ -7,7 +7,7 @@ import html
 import io
 from collections.abc import Iterable, Sequence
 
-from figure_style import plt
+from figure_style import plt, use_plain_ticks
 
 STYLE = """
 body {font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a;
@@ -38,6 +38,7 @@ pre {background: #f6f6f6; padding: 1em; overflow-x: auto; font-size: 13px;
 def svg(figure) -> tuple[str, bytes]:
     """The drawing of a figure, which is then closed."""
     stream = io.BytesIO()
+    use_plain_ticks(figure)
     with plt.rc_context({"svg.hashsalt": "synovia", "savefig.dpi": 200}):
         figure.savefig(stream, format="svg", metadata={"Date": None})
     plt.close(figure)
