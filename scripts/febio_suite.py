@@ -5,8 +5,8 @@ FOLDER has the models, NAME.feb. The folder of --reference has one for each
 model that FEBio has run, NAME or NAME_VARIANT: summary.json (steps, iters,
 total_s), history.csv (time, largest pressure p_max, and of each condition of
 the displacement CONDITION:sum_Rx and so on), final_nodes.csv (node, ux, uy, uz)
-and, of rigid bodies, rigid.csv (time, rigid_body_id, x, y, z). A model is run at
-the times of FEBio's steps, one whose variant begins with nofric without
+and, of rigid bodies, rigid.csv (time, rigid_body_id, x, y, z). A model is run
+in the steps that FEBio took, one whose variant begins with nofric without
 friction; others are run as they are. The rows of the table are steps and
 iterations of Newton's method, seconds, and of each quantity its largest
 difference over the history, in parts of its largest value; of nodes that at the
@@ -23,6 +23,7 @@ import re
 import resource
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -36,6 +37,8 @@ NODES = "nodes:ux;uy;uz;p;Rx;Ry;Rz"
 BODIES = "rigid_bodies:x;y;z"
 # Times that differ by this part are the same.
 SAME_TIME = 1e-6
+# The number of a load controller that no model has.
+MUST_POINTS = "1000"
 # Of the largest of all forces: below it a sum is round-off.
 ROUND_OFF = 1e-6
 
@@ -76,16 +79,11 @@ def processor_seconds() -> float:
 
 
 def run(program: pathlib.Path, model: pathlib.Path, output: pathlib.Path,
-        stops: Iterable[float], logs: list[str],
-        extra: list[str]) -> Outcome:
+        logs: list[str], extra: list[str]) -> Outcome:
     outcome = Outcome(output.name)
     command = [program, model, "--output", output, "--overwrite",
                "--set", "output.fields_every=0",
                "--set", "output.checkpoint_every=0", *extra]
-    if stops := list(stops):
-        longest = max(b - a for a, b in zip([0.0, *stops], stops))
-        command += ["--set", f"time.stops={stops}",
-                    "--set", f"time.step={longest * (1 + SAME_TIME)}"]
     for log in logs:
         command += ["--log", log]
     output.parent.mkdir(parents=True, exist_ok=True)
@@ -179,12 +177,34 @@ def compare(model: pathlib.Path, output: pathlib.Path,
     return {what: value for what, value in found.items() if value is not None}
 
 
-def without_friction(model: pathlib.Path, output: pathlib.Path) -> pathlib.Path:
-    changed = output / model.name
-    output.mkdir(parents=True, exist_ok=True)
-    changed.write_text(re.sub("<fric_coeff>.*?</fric_coeff>",
-                              "<fric_coeff>0</fric_coeff>", model.read_text()))
-    return changed
+def take_steps(root: ElementTree.Element, ends: list[float]) -> None:
+    """Makes them must points, so that loads are those of FEBio at each end."""
+    control = root.find("Control")
+    if control is None:
+        sys.exit("febio_suite.py: error: the steps of a reference are those "
+                 "of Control, which the model hasn't")
+    data = root.find("LoadData")
+    if data is None:
+        data = ElementTree.SubElement(root, "LoadData")
+    curve = ElementTree.SubElement(data, "load_controller", id=MUST_POINTS,
+                                   type="loadcurve")
+    points = ElementTree.SubElement(curve, "points")
+    for end in ends:
+        point = ElementTree.SubElement(points, "pt")
+        point.text = f"{end},{ends[-1]}"
+    for name in "time_steps", "step_size", "time_stepper":
+        if (old := control.find(name)) is not None:
+            control.remove(old)
+    ElementTree.SubElement(control, "time_steps").text = "1"
+    ElementTree.SubElement(control, "step_size").text = str(ends[-1])
+    stepper = ElementTree.SubElement(control, "time_stepper")
+    longest = ElementTree.SubElement(stepper, "dtmax", lc=MUST_POINTS)
+    longest.text = "1"
+
+
+def leave_friction_out(root: ElementTree.Element) -> None:
+    for coefficient in root.iter("fric_coeff"):
+        coefficient.text = "0"
 
 
 def variants(model: pathlib.Path,
@@ -231,21 +251,25 @@ def main(argv: list[str] | None = None) -> int:
         for reference in variants(model, args.reference):
             label = reference.name if reference else name
             feb = model
-            stops: list[float] = []
             febio: dict[str, str] = {}
             if reference:
+                tree = ElementTree.parse(model)
                 if label.startswith(f"{name}_nofric"):
-                    feb = without_friction(model, args.output / "models")
+                    leave_friction_out(tree.getroot())
+                take_steps(tree.getroot(),
+                           [float(row["time"]) for row
+                            in read_csv(reference / "history.csv")
+                            if float(row["time"]) > 0.0])
+                feb = args.output / "models" / f"{label}.feb"
+                feb.parent.mkdir(parents=True, exist_ok=True)
+                tree.write(feb, encoding="unicode")
                 summary = json.loads((reference / "summary.json").read_text())
                 febio = {"steps": str(summary["steps"]),
                          "iterations": str(summary["iters"]),
                          "seconds": f"{float(summary['total_s']):.1f} s"}
-                stops = [float(row["time"]) for row
-                         in read_csv(reference / "history.csv")
-                         if float(row["time"]) > 0.0]
             output = args.output / label
             has_bodies = reference and (reference / "rigid.csv").is_file()
-            outcome = run(args.program, feb, output, stops,
+            outcome = run(args.program, feb, output,
                           [NODES, BODIES] if has_bodies else [NODES], extra)
             if reference and not outcome.refusal:
                 outcome.differences = compare(feb, output, reference)

@@ -3,9 +3,10 @@
 """scripts/febio_suite.py and scripts/febio_friction.py.
 
 Requirements: a model is compared with a result that is its own, and with one
-that differs by a percent; one that is refused is listed with the reason. The
-forces on a cube that is sheared under pressure are those of its closed form,
-from a table with commas as from a log.
+that differs by a percent; one that is refused is listed with the reason. With a
+result in other steps than its own it is compared in those, its load along a
+curve the same at their ends. The forces on a cube that is sheared under
+pressure are those of its closed form, from a table with commas as from a log.
 """
 
 from __future__ import annotations
@@ -32,6 +33,9 @@ TRACTION = """<Loads>
 <surface_load name="press" surface="top" type="normal_traction">
 <traction>-0.01</traction></surface_load>
 </Loads>"""
+CURVED = TRACTION.replace("<traction>", '<traction lc="1">')
+CURVE = """<interpolate>SMOOTH</interpolate><points><pt>0,0</pt><pt>1,0.2</pt>
+<pt>2,1</pt><pt>3,0.4</pt><pt>6,0.3</pt></points>"""
 
 
 def output_of(script: str, *arguments: str | pathlib.Path) -> str:
@@ -91,6 +95,32 @@ def suite(directory: pathlib.Path) -> None:
         check(all(abs(float(value) - expected) < 1e-6
                   for value in found.values()),
               f"they are {expected:.3g} %: {found}")
+
+
+def other_steps(directory: pathlib.Path) -> None:
+    """A result in 7 steps, compared with a model that has 5 of its own."""
+    def write(folder: str, steps: int) -> pathlib.Path:
+        models = directory / folder
+        models.mkdir()
+        (models / "curved.feb").write_text(FebColumn(
+            layers=3, steps=steps, step=5.6 / steps, sections=CURVED,
+            curves=[CURVE]).text())
+        return models
+
+    common = ("--program", PROGRAMS / "synovia", "--output",
+              directory / "curved")
+    output_of("febio_suite.py", write("seven", 7), *common)
+    blocks = read_blocks(directory / "curved" / "curved" / "logs"
+                         / "log_nodes.txt")
+    check(len(blocks) == 7, "a result has 7 steps")
+    write_reference(directory / "of_seven" / "curved", blocks, 1.0)
+    table = output_of("febio_suite.py", write("five", 5), *common,
+                      "--reference", directory / "of_seven")
+    check("| curved | 7, " in table, "these are taken by the other model")
+    found = dict(re.findall(r"(\w+) ([\d.e+-]+) %", table))
+    check(set(found) == {"pressure", "reactions", "nodes"} and
+          all(float(value) < 1e-6 for value in found.values()),
+          f"its result is the same: {found}")
 
 
 def friction(directory: pathlib.Path) -> None:
@@ -158,6 +188,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
         suite(directory)
+        other_steps(directory)
         friction(directory)
     finish()
 
