@@ -1,4 +1,4 @@
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_conditions.hpp"
 
 #include <algorithm>
 
@@ -19,21 +19,22 @@ int Component(const std::string &dof)
 
 // Relative to what there is when a step begins, or not.
 void Displace(const std::string &surface, int component, const LoadCurve &value,
-              bool relative, FebModel &model)
+              bool relative, const FebInput &where, FebModel &model)
 {
    BoundaryCase boundary;
    boundary.surfaces = {surface};
    boundary.relative = relative && model.in_step;
    boundary.displacement[component] = value;
-   model.setup.boundaries.push_back(boundary);
+   AddCondition(boundary, where, model);
 }
 
-void Press(const std::string &surface, const LoadCurve &value, FebModel &model)
+void Press(const std::string &surface, const LoadCurve &value,
+           const FebInput &where, FebModel &model)
 {
    BoundaryCase boundary;
    boundary.surfaces = {surface};
    boundary.pressure = value;
-   model.setup.boundaries.push_back(boundary);
+   AddCondition(boundary, where, model);
 }
 
 void VerifyPressure(const FebInput &where, bool relative, const FebModel &model)
@@ -59,12 +60,12 @@ void Prescribe(const FebInput &where, const std::string &surface,
       }
       if (word == "p")
       {
-         Press(surface, value, model);
+         Press(surface, value, where, model);
          VerifyPressure(where, relative, model);
       }
       else if (Component(word) >= 0)
       {
-         Displace(surface, Component(word), value, relative, model);
+         Displace(surface, Component(word), value, relative, where, model);
       }
       else if (!word.empty())
       {
@@ -90,7 +91,7 @@ void Fix(const FebInput &condition, const std::string &surface, FebModel &model)
    }
    if (any && !surface.empty())
    {
-      model.setup.boundaries.push_back(boundary);
+      AddCondition(boundary, condition, model);
    }
 }
 
@@ -250,7 +251,7 @@ void ReadCondition(const FebInput &condition, const FebInput &section,
       const std::vector<int> &nodes = *model.surfaces->FindNodes(set);
       model.pressures.emplace_back(std::set<int>(nodes.begin(), nodes.end()),
                                    value.value_or(LoadCurve(0.0)));
-      Press(surface, value.value_or(LoadCurve(0.0)), model);
+      Press(surface, value.value_or(LoadCurve(0.0)), condition, model);
       VerifyPressure(condition, condition.Flag("relative", false), model);
    }
    else

@@ -1,5 +1,5 @@
+#include "synovia/feb/feb_conditions.hpp"
 #include "synovia/feb/feb_element_data.hpp"
-#include "synovia/feb/feb_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace
 {
 // Nothing moves across a plane.
 void HoldAcross(const Point3 &normal, const std::string &surface,
-                FebModel &model)
+                const FebInput &where, FebModel &model)
 {
    constexpr real_t along_axis = 1.0 - 1e-9;
    BoundaryCase boundary;
@@ -27,7 +27,7 @@ void HoldAcross(const Point3 &normal, const std::string &surface,
          boundary.displacement[d] = LoadCurve(0.0);
       }
    }
-   model.setup.boundaries.push_back(boundary);
+   AddCondition(boundary, where, model);
 }
 
 void IgnoreEnforcement(const FebInput &constraint)
@@ -84,7 +84,7 @@ void ReadSymmetryPlane(const FebInput &constraint, FebModel &model)
    const Point3 normal = NormalOf(facets[0], model.mesh, constraint);
    if (IsPlane(facets, normal, model.mesh))
    {
-      HoldAcross(normal, surface, model);
+      HoldAcross(normal, surface, constraint, model);
    }
    else
    {
@@ -156,7 +156,7 @@ void ReadLinearConstraint(const FebInput &constraint, FebModel &model)
       const std::string surface = model.surfaces->OfNodes(name, constraint);
       if (!surface.empty())
       {
-         HoldAcross(plane.normal, surface, model);
+         HoldAcross(plane.normal, surface, constraint, model);
       }
    }
 }

@@ -1,4 +1,4 @@
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_conditions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -175,7 +175,7 @@ void AddGuide(const FebInput &contact, FebModel &model)
       BoundaryCase boundary;
       boundary.surfaces = {surface};
       boundary.guide = guide->normal;
-      model.setup.boundaries.push_back(boundary);
+      AddCondition(boundary, contact, model);
    }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace synovia
 {
@@ -135,6 +136,18 @@ LoadCurve FebCurve::ForSteps(const std::vector<real_t> &ends,
    }
    return corners.size() == 1 ? LoadCurve(numbers[0])
                               : LoadCurve(corners, numbers);
+}
+
+LoadCurve Sum(const LoadCurve &a, real_t factor, const LoadCurve &b)
+{
+   std::set<real_t> times(a.Corners().begin(), a.Corners().end());
+   times.insert(b.Corners().begin(), b.Corners().end());
+   std::vector<real_t> values;
+   for (const real_t t : times)
+   {
+      values.push_back(a(t) + factor * b(t));
+   }
+   return LoadCurve({times.begin(), times.end()}, values);
 }
 
 namespace

@@ -51,6 +51,9 @@ private:
    Beyond beyond;
 };
 
+/// @a a plus @a factor times @a b, at all times of both.
+LoadCurve Sum(const LoadCurve &a, mfem::real_t factor, const LoadCurve &b);
+
 /// Load controllers by their numbers.
 using FebCurves = std::map<std::string, FebCurve>;
 

@@ -1,6 +1,6 @@
 #include "synovia/feb/feb_import.hpp"
 #include "synovia/cases/case_keys.hpp"
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_conditions.hpp"
 #include "synovia/feb/feb_rigid_parts.hpp"
 #include "synovia/feb/feb_steady.hpp"
 #include "synovia/feb/msh_writer.hpp"
@@ -25,7 +25,7 @@ namespace
 namespace fs = std::filesystem;
 using Fate = FebReport::Fate;
 
-void ReadModule(const FebInput &root)
+std::string ReadModule(const FebInput &root)
 {
    const std::optional<FebInput> module = root.Find("Module");
    const std::string type = module ? module->Attribute("type") : "";
@@ -38,6 +38,7 @@ void ReadModule(const FebInput &root)
    {
       root.Stop("the section Module is missing");
    }
+   return type;
 }
 
 // A section, or an empty one if it is missing.
@@ -145,6 +146,30 @@ std::set<int> Parts(const FebModel &model)
    return parts;
 }
 
+bool CanMove(const RigidBodyCase &body)
+{
+   const auto is_free = [](const std::optional<LoadCurve> &freedom)
+   { return !freedom; };
+   return std::any_of(body.translation.begin(), body.translation.end(),
+                      is_free) ||
+          std::any_of(body.rotation.begin(), body.rotation.end(), is_free);
+}
+
+// Body loads act on rigid bodies too.
+void VerifyDensity(const FebRigidMaterial &material, const RigidBodyCase &body,
+                   const FebModel &model)
+{
+   if (!model.setup.acceleration)
+   {
+      material.where.Ignore("density", "there is no inertia");
+   }
+   else if (material.density > 0.0 && CanMove(body))
+   {
+      material.where.Stop("body loads that act on rigid bodies are not known; "
+                          "make its density 0, and its weight a rigid_force");
+   }
+}
+
 // Leaves out bodies that only guide others.
 void VerifyRigidBodies(FebModel &model)
 {
@@ -152,6 +177,7 @@ void VerifyRigidBodies(FebModel &model)
    for (size_t i = 0; i < model.setup.rigid_bodies.size(); i++)
    {
       const RigidBodyCase &body = model.setup.rigid_bodies[i];
+      VerifyDensity(model.materials.rigid[i], body, model);
       if (!body.surfaces.empty() || !body.regions.empty())
       {
          kept.push_back(body);
@@ -170,15 +196,16 @@ void VerifyRigidBodies(FebModel &model)
 
 void ReadModel(const FebInput &root, FebModel &model)
 {
-   ReadModule(root);
+   model.module = ReadModule(root);
    ForSection(root, "LoadData",
               [&](const FebInput &section)
               { model.curves = ReadLoadData(section); });
    model.steps.ends = {1.0};
    model.steps.length = 1.0;
    ForSection(root, "Control",
-              [&](const FebInput &section)
-              { model.steps = ReadControl(section, model.curves); });
+              [&](const FebInput &section) {
+                 model.steps = ReadControl(section, model.module, model.curves);
+              });
    ReadStepTimes(root, model);
    for (const char *name : {"Mesh", "Geometry"})
    {
@@ -212,6 +239,7 @@ void ReadModel(const FebInput &root, FebModel &model)
          read(*section, model);
       }
    }
+   PutZerosFirst(model);
    ReadStepChanges(root, model);
    for (MaterialCase &material : model.setup.materials)
    {

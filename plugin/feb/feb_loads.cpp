@@ -1,4 +1,4 @@
-#include "synovia/feb/feb_model.hpp"
+#include "synovia/feb/feb_conditions.hpp"
 
 namespace synovia
 {
@@ -38,18 +38,6 @@ const LoadCurve *FindPressure(const std::string &surface, const FebModel &model)
    return nullptr;
 }
 
-LoadCurve Difference(const LoadCurve &a, const LoadCurve &b)
-{
-   std::set<real_t> times(a.Corners().begin(), a.Corners().end());
-   times.insert(b.Corners().begin(), b.Corners().end());
-   std::vector<real_t> values;
-   for (const real_t t : times)
-   {
-      values.push_back(a(t) - b(t));
-   }
-   return LoadCurve({times.begin(), times.end()}, values);
-}
-
 // A tension along the normal, which follows it.
 void ReadNormalTraction(const FebInput &load, BoundaryCase &boundary,
                         const FebModel &model)
@@ -66,7 +54,7 @@ void ReadNormalTraction(const FebInput &load, BoundaryCase &boundary,
       if (pressure)
       {
          boundary.normal_traction =
-            Difference(*boundary.normal_traction, *pressure);
+            Sum(*boundary.normal_traction, -1.0, *pressure);
       }
       else
       {
@@ -144,7 +132,7 @@ void ReadSurfaceLoad(const FebInput &load, FebModel &model)
    reader->second(load, boundary, model);
    if (!boundary.surfaces[0].empty())
    {
-      model.setup.boundaries.push_back(boundary);
+      AddCondition(boundary, load, model);
    }
 }
 } // namespace
@@ -175,7 +163,7 @@ void ReadNodalFlux(const FebInput &load, FebModel &model)
    BoundaryCase boundary;
    boundary.surfaces = {surface};
    boundary.normal_flux = Scaled(1.0 / most->second, value);
-   model.setup.boundaries.push_back(boundary);
+   AddCondition(boundary, load, model);
    load.Approximate("the flow is a flux through the surface, which grows with "
                     "its area");
 }
@@ -208,6 +196,11 @@ void ReadBodyLoad(const FebInput &load, FebModel &model)
       load.StopAll("there are body loads of the type const, of all bodies");
       return;
    }
+   if (model.in_step)
+   {
+      load.StopAll("body loads are only known in all steps");
+      return;
+   }
    if (!model.setup.acceleration)
    {
       model.setup.acceleration = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
@@ -218,7 +211,7 @@ void ReadBodyLoad(const FebInput &load, FebModel &model)
       if (const std::optional<FebInput> value = load.Find(axes[d]))
       {
          LoadCurve &sum = (*model.setup.acceleration)[d];
-         sum = Difference(sum, model.Value(*value));
+         sum = Sum(sum, -1.0, model.Value(*value));
       }
    }
 }

@@ -90,9 +90,10 @@ FebRigidMaterial ReadRigid(const FebInput &material)
 {
    FebRigidMaterial rigid{material.Attribute("id"), material.Attribute("name"),
                           material};
-   for (const char *name : {"density", "E", "v"})
+   rigid.density = ReadDensity(material, "density", 1.0);
+   for (const char *name : {"E", "v"})
    {
-      material.Ignore(name, "a rigid body has neither inertia nor strain");
+      material.Ignore(name, "a rigid body has no strain");
    }
    const std::optional<FebInput> center = material.Find("center_of_mass");
    if (!center)

@@ -17,6 +17,7 @@ struct FebRigidMaterial
    /// For messages.
    FebInput where;
    Point3 center{{0.0, 0.0, 0.0}};
+   mfem::real_t density = 1.0;
    /// Places of the parts that are of it.
    std::set<int> parts{};
 

@@ -14,6 +14,8 @@ namespace synovia
 /// A model as far as it has been read, while sections are added to its case.
 struct FebModel
 {
+   /// solid or biphasic
+   std::string module;
    FebMesh mesh;
    FebCurves curves;
    FebSteps steps;
@@ -28,6 +30,8 @@ struct FebModel
    std::vector<std::pair<std::set<int>, LoadCurve>> pressures;
    /// Whether it is a step that is being read.
    bool in_step = false;
+   /// Place of its first condition among those of the case.
+   size_t first_condition = 0;
    /// Freedoms of rigid bodies, translations first, that this step prescribes
    /// relative to where the bodies are when it begins.
    std::map<std::string, std::array<bool, 6>> relative;

@@ -40,6 +40,16 @@ void Prescribe(int freedom, const LoadCurve &value, bool relative,
    model.relative[body.name][freedom] = relative && model.in_step;
 }
 
+// FEBio fixes freedoms that nothing else prescribes.
+void Fix(int freedom, RigidBodyCase &body, FebModel &model)
+{
+   if (!(freedom < 3 ? body.translation : body.rotation)[freedom % 3])
+   {
+      Prescribe(freedom, LoadCurve(0.0), true, body, model);
+   }
+}
+
+// Loads add up.
 void AddLoad(int freedom, const LoadCurve &value, RigidBodyCase &body)
 {
    std::optional<std::array<LoadCurve, 3>> &loads =
@@ -48,7 +58,8 @@ void AddLoad(int freedom, const LoadCurve &value, RigidBodyCase &body)
    {
       loads = std::array<LoadCurve, 3>{{0.0, 0.0, 0.0}};
    }
-   (*loads)[freedom % 3] = value;
+   LoadCurve &load = (*loads)[freedom % 3];
+   load = Sum(load, 1.0, value);
 }
 
 void ReadFixed(const FebInput &condition, RigidBodyCase &body, FebModel &model)
@@ -64,7 +75,7 @@ void ReadFixed(const FebInput &condition, RigidBodyCase &body, FebModel &model)
       const int freedom = Freedom(word);
       if (freedom >= 0)
       {
-         Prescribe(freedom, LoadCurve(0.0), true, body, model);
+         Fix(freedom, body, model);
       }
       else if (!word.empty())
       {
@@ -78,7 +89,7 @@ void ReadFixed(const FebInput &condition, RigidBodyCase &body, FebModel &model)
    {
       if (condition.Flag(names[i], false))
       {
-         Prescribe(i, LoadCurve(0.0), true, body, model);
+         Fix(i, body, model);
       }
    }
 }
@@ -106,7 +117,7 @@ void ReadFormerBody(const FebInput &conditions, FebModel &model)
       }
       else if (condition.Name() == "fixed")
       {
-         Prescribe(freedom, LoadCurve(0.0), true, *body, model);
+         Fix(freedom, *body, model);
       }
       else if (condition.Name() == "prescribed")
       {

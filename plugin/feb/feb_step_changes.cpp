@@ -1,3 +1,4 @@
+#include "synovia/feb/feb_conditions.hpp"
 #include "synovia/feb/feb_rigid_steps.hpp"
 
 #include <algorithm>
@@ -107,6 +108,7 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
    const std::map<std::string, std::vector<std::string>> held =
       TiedSurfaces(model);
    model.in_step = true;
+   model.first_condition = boundaries;
    using Section = void (*)(const FebInput &, FebModel &);
    const std::pair<const char *, Section> sections[] = {
       {"Boundary", ReadBoundary},
@@ -120,6 +122,7 @@ StepCase ReadStep(const FebInput &input, size_t number, real_t begin,
          read(*section, model);
       }
    }
+   PutZerosFirst(model);
    model.in_step = false;
    if (std::any_of(held.begin(), held.end(),
                    [&](const auto &entry) {
@@ -158,8 +161,8 @@ void ReadStepTimes(const FebInput &root, FebModel &model)
          input.Stop("the section Control is missing");
          continue;
       }
-      const FebSteps steps =
-         ReadControl(*control, model.curves, ends.empty() ? 0.0 : ends.back());
+      const FebSteps steps = ReadControl(*control, model.module, model.curves,
+                                         ends.empty() ? 0.0 : ends.back());
       if (steps.steady)
       {
          control->Stop("steady states are only known without steps");

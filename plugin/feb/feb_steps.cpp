@@ -94,16 +94,29 @@ std::vector<real_t> AutomaticSteps(const FebInput &stepper, real_t first,
    return ends;
 }
 
-// A word, or before version 3.0 the attribute of an element.
-std::string ReadAnalysis(const FebInput &section)
+// Whether it is for steady states. A word, or before version 3.0 the attribute
+// of an element.
+bool ReadAnalysis(const FebInput &section, const std::string &module)
 {
    const std::optional<FebInput> analysis = section.Find("analysis");
    if (!analysis)
    {
-      return "TRANSIENT";
+      return false;
    }
-   const std::string type = analysis->Attribute("type");
-   return type.empty() ? analysis->Text() : type;
+   const std::string attribute = analysis->Attribute("type");
+   const std::string type = attribute.empty() ? analysis->Text() : attribute;
+   const auto is = [&type](const char *upper, const char *lower)
+   { return type == upper || type == lower; };
+   // What solids do at rest depends on the loads of the moment.
+   const bool at_rest = module == "solid" && is("STATIC", "static");
+   const bool steady = is("STEADY-STATE", "steady-state");
+   if (!at_rest && !steady && !is("TRANSIENT", "transient"))
+   {
+      analysis->Stop("found \"" + type +
+                     "\"; there are TRANSIENT, STEADY-STATE, and STATIC in "
+                     "the module solid");
+   }
+   return steady;
 }
 
 void ReadOutputLevel(const FebInput &section, FebSteps &steps)
@@ -140,18 +153,11 @@ TimeOptions FebSteps::Options() const
    return options;
 }
 
-FebSteps ReadControl(const FebInput &section, const FebCurves &curves,
-                     real_t begin)
+FebSteps ReadControl(const FebInput &section, const std::string &module,
+                     const FebCurves &curves, real_t begin)
 {
    FebSteps steps;
-   const std::string analysis = ReadAnalysis(section);
-   steps.steady = analysis == "STEADY-STATE" || analysis == "steady-state";
-   if (!steps.steady && analysis != "TRANSIENT" && analysis != "transient")
-   {
-      section.Find("analysis")
-         ->Stop("found \"" + analysis +
-                "\"; there are TRANSIENT, STEADY-STATE");
-   }
+   steps.steady = ReadAnalysis(section, module);
    const real_t count = section.Number("time_steps", 10.0);
    const real_t first = section.Number("step_size", 0.1);
    ReadOutputLevel(section, steps);

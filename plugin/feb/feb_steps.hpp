@@ -21,10 +21,10 @@ struct FebSteps
    TimeOptions Options() const;
 };
 
-/// Reads the section Control of what begins at time @a begin. Where FEBio
-/// chooses the steps by its iterations, these are the ones that it takes if
-/// every step converges well.
-FebSteps ReadControl(const FebInput &section, const FebCurves &curves,
-                     mfem::real_t begin = 0.0);
+/// Reads the section Control of a model of the module, solid or biphasic, or of
+/// its step that begins at time @a begin. Where FEBio chooses the steps by its
+/// iterations, these are the ones that it takes if every step converges well.
+FebSteps ReadControl(const FebInput &section, const std::string &module,
+                     const FebCurves &curves, mfem::real_t begin = 0.0);
 
 } // namespace synovia

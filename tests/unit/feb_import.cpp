@@ -166,3 +166,31 @@ TEST_CASE("A column of FEBio becomes a mesh")
    CHECK(mesh.Boundary("all").Size() == 3);
    CHECK(mesh.Boundary("bottom").Size() == 1);
 }
+
+TEST_CASE(
+   "What is prescribed holds where others are zero, whatever comes first")
+{
+   const std::string pull =
+      "<bc node_set=\"@surface:top\" type=\"prescribed displacement\"><dof>x"
+      "</dof><value lc=\"1\">0.1</value></bc>";
+   const std::string lift =
+      "<bc node_set=\"bottom\" type=\"prescribed displacement\"><dof>z</dof>"
+      "<value lc=\"1\">0.2</value></bc>";
+   std::string before =
+      Replaced(FebColumn(), fixed_sides, pull + lift + "\n\t\t" + fixed_sides);
+   std::string after =
+      Replaced(FebColumn(), drained, drained + ("\n\t\t" + pull + lift));
+   for (const std::string &text : {before, after})
+   {
+      const FebImport import = ImportFeb(text, "model.feb");
+      CHECK(import.report.Text(Fate::unsupported) == "");
+      const std::vector<BoundaryCase> &conditions = import.setup.boundaries;
+      // The zeros along z at the bottom are gone.
+      REQUIRE(conditions.size() == 5);
+      CHECK(conditions[0].surfaces == std::vector<std::string>{"all"});
+      CHECK(conditions[1].pressure.has_value());
+      CHECK((*conditions[2].displacement[0])(0.5) == Approx(0.1));
+      CHECK((*conditions[3].displacement[2])(0.5) == Approx(0.2));
+      CHECK(conditions[4].normal_traction.has_value());
+   }
+}

@@ -191,3 +191,32 @@ TEST_CASE("Loads on surfaces have their signs")
    // A quarter of the area at each node.
    CHECK((*LastOf(nodal).normal_flux)(1.0) == Approx(0.2));
 }
+
+TEST_CASE("Loads on the same surface add up")
+{
+   const auto with = [](const std::string &load)
+   {
+      return ImportFeb(Replaced(FebColumn(), "</Loads>", load + "\n</Loads>"),
+                       "model.feb");
+   };
+   const FebImport import =
+      with("<surface_load surface=\"top\" type=\"pressure\"><pressure>0.3"
+           "</pressure></surface_load><surface_load surface=\"top\" "
+           "type=\"traction\"><traction>1,0,0</traction></surface_load>"
+           "<surface_load surface=\"top\" type=\"traction\">"
+           "<scale lc=\"1\">2</scale><traction>0,1,0</traction>"
+           "</surface_load>");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   REQUIRE(import.setup.boundaries.size() == 5);
+   // lc 1 is 1 at t = 0.5.
+   CHECK((*import.setup.boundaries[3].normal_traction)(0.5) == Approx(-0.8));
+   const auto &traction = *import.setup.boundaries[4].traction;
+   CHECK(traction[0](0.5) == 1.0);
+   CHECK(traction[1](0.5) == Approx(2.0));
+   const FebImport drained =
+      with("<surface_load surface=\"top\" type=\"fluidflux\"><flux>1</flux>"
+           "</surface_load>");
+   CHECK(drained.report.Text(Fate::unsupported)
+            .find("Loads/surface_load: \"top\" has a condition that excludes "
+                  "this one") != std::string::npos);
+}

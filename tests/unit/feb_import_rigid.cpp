@@ -245,3 +245,52 @@ TEST_CASE("A rigid shell that only touches becomes a region of a rigid body")
    CaseProblem problem(import.setup, mesh);
    CHECK_NOTHROW(problem.Get().Operator());
 }
+
+TEST_CASE("What is prescribed of a rigid body counts before what is fixed")
+{
+   const std::string fixed =
+      "<rigid_bc type=\"rigid_fixed\"><rb>platen</rb><Rx_dof>1</Rx_dof>"
+      "<Rz_dof>1</Rz_dof></rigid_bc>";
+   const std::string moved =
+      "<rigid_bc type=\"rigid_displacement\"><rb>platen</rb><dof>z</dof>"
+      "<value lc=\"1\">0.1</value></rigid_bc>";
+   for (const std::string &entries : {fixed + moved, moved + fixed})
+   {
+      const FebImport import = Connected(entries);
+      CHECK(import.report.Text(Fate::unsupported) == "");
+      const RigidBodyCase &body = import.setup.rigid_bodies[0];
+      CHECK(body.translation[0]->IsZero());
+      CHECK((*body.translation[2])(0.5) == Approx(0.1));
+   }
+}
+
+TEST_CASE("Loads of a rigid body add up, and body loads may not move it")
+{
+   const std::string twice =
+      "<rigid_load type=\"rigid_force\"><rb>platen</rb><dof>Rx</dof>"
+      "<value>3</value></rigid_load><rigid_load type=\"rigid_force\"><rb>2</rb>"
+      "<dof>Rx</dof><value lc=\"1\">1</value></rigid_load>";
+   const FebImport import = Connected(twice);
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   // lc 1 is 1 at t = 0.5.
+   CHECK((*import.setup.rigid_bodies[0].force)[0](0.5) == Approx(4.0));
+
+   const std::string fixed_anvil =
+      "<rigid_bc type=\"rigid_fixed\"><rb>anvil</rb><Rx_dof>1</Rx_dof>"
+      "<Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof>"
+      "<Rw_dof>1</Rw_dof></rigid_bc>";
+   const std::string heavy =
+      Replaced(ConnectedText(fixed_anvil), "<Loads>",
+               "<Loads><body_load type=\"const\"><z>1</z></body_load>");
+   const std::string stops =
+      ImportFeb(heavy, "model.feb").report.Text(Fate::unsupported);
+   CHECK(stops ==
+         "  line " + std::to_string(LineOf(heavy, "name=\"platen\"")) +
+            ": Material/material: body loads that act on rigid bodies are not "
+            "known; make its density 0, and its weight a rigid_force\n");
+   const FebImport light =
+      ImportFeb(Replaced(heavy, "<density>1</density><center_of_mass>0.5,0.5,2",
+                         "<density>0</density><center_of_mass>0.5,0.5,2"),
+                "model.feb");
+   CHECK(light.report.Text(Fate::unsupported) == "");
+}

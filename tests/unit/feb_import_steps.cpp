@@ -2,6 +2,7 @@
 //
 // Times of FEBio: steps after each other, steady states.
 
+#include "support/feb_column_parts.hpp"
 #include "support/feb_text.hpp"
 #include "synovia/cases/case_problem.hpp"
 #include "synovia/feb/feb_import.hpp"
@@ -10,6 +11,7 @@
 
 using namespace mfem;
 using namespace synovia;
+using namespace synovia::feb_column;
 
 namespace
 {
@@ -156,5 +158,47 @@ TEST_CASE("Rigid bodies move from step to step")
                                        "</rigid_connector>")
             .report.Text(Fate::unsupported)
             .find("only known to be connected in all steps") !=
+         std::string::npos);
+}
+
+TEST_CASE("Steps of solids have no times of their own")
+{
+   std::string text = Replaced(FebColumn(), "TRANSIENT", "STATIC");
+   CHECK(ImportFeb(text, "model.feb").report.Text(Fate::unsupported) ==
+         "  line 5: Control/analysis: found \"STATIC\"; there are TRANSIENT, "
+         "STEADY-STATE, and STATIC in the module solid\n");
+   const size_t material = text.find("\t\t<material ");
+   const size_t end = text.find("\t</Material>");
+   text = text.substr(0, material) +
+          "<material id=\"1\" name=\"tissue\" type=\"neo-Hookean\"><E>2</E>"
+          "<v>0.1</v></material>" +
+          text.substr(end);
+   text = Replaced(text, "Module type=\"biphasic\"", "Module type=\"solid\"");
+   text = Replaced(text, drained, "");
+   const FebImport import = ImportFeb(text, "model.feb");
+   CHECK(import.report.Text(Fate::unsupported) == "");
+   CHECK(import.setup.time.step == 0.5);
+   CHECK_FALSE(import.setup.materials[0].HasFluid());
+   CheckCase(import.setup);
+}
+
+TEST_CASE("What a step adds to all steps stops the import")
+{
+   const auto stopped = [](const std::string &loads)
+   {
+      const std::string step =
+         "<Step><step><Control><time_steps>4</time_steps><step_size>0.25"
+         "</step_size></Control><Loads>" +
+         loads + "</Loads></step></Step>";
+      return ImportFeb(Replaced(FebColumn(), "<LoadData>", step + "<LoadData>"),
+                       "model.feb")
+         .report.Text(Fate::unsupported);
+   };
+   CHECK(stopped("<surface_load surface=\"top\" type=\"pressure\"><pressure>1"
+                 "</pressure></surface_load>")
+            .find("Step/step/Loads/surface_load: \"top\" has such a condition "
+                  "in all steps already") != std::string::npos);
+   CHECK(stopped("<body_load type=\"const\"><x>1</x></body_load>")
+            .find("body loads are only known in all steps") !=
          std::string::npos);
 }
