@@ -100,6 +100,41 @@ TEST_CASE("What is not known in a model stops its import, with line and path")
          std::string::npos);
 }
 
+TEST_CASE("What moves and loads a model otherwise stops its import")
+{
+   const std::string text = FebColumn();
+   const auto stops = [&](const std::string &before, const std::string &added,
+                          const std::string &entry)
+   {
+      CHECK(Stopped(before, added + before)
+               .find("  line " + std::to_string(LineOf(text, before)) + ": " +
+                     entry) == 0);
+   };
+   stops("</Boundary>",
+         "<bc type=\"linear constraint\"><node>9</node><dof>z</dof><child_dof>"
+         "<node>10</node><dof>z</dof><value>1</value></child_dof></bc>",
+         "Boundary/bc: conditions of the type \"linear constraint\" are not");
+   stops("</Boundary>",
+         "<bc type=\"normal displacement\" surface=\"top\"><scale>1</scale>"
+         "</bc>",
+         "Boundary/bc: conditions of the type \"normal displacement\" are not");
+   stops("</Loads>",
+         "<nodal_load type=\"nodal_load\" node_set=\"bottom\"><dof>z</dof>"
+         "<scale>1</scale></nodal_load>",
+         "Loads/nodal_load: loads of nodes of the type \"nodal_load\" are not");
+   stops("<Loads>", "<Initial><ic type=\"initial fluid pressure\"/></Initial>",
+         "Initial: this is not known");
+   stops("<Loads>",
+         "<Rigid><rigid_load type=\"rigid_follower_force\"><force>1,0,0"
+         "</force></rigid_load></Rigid>",
+         "Rigid/rigid_load: \"rigid_follower_force\" is not known");
+   stops("<Loads>",
+         "<Rigid><rigid_connector type=\"rigid angular damper\"><c>1</c>"
+         "</rigid_connector></Rigid>",
+         "Rigid/rigid_connector: connectors of the type \"rigid angular "
+         "damper\" are not known");
+}
+
 TEST_CASE("All that stops an import is listed")
 {
    std::string text = Replaced(FebColumn(), "<E>2", "<E>two");
