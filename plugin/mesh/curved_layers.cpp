@@ -1,6 +1,6 @@
 #include "synovia/mesh/curved_layers.hpp"
 #include "synovia/general/error.hpp"
-#include "synovia/mesh/mesh_share.hpp"
+#include "synovia/mesh/hex_layer_share.hpp"
 #include "synovia/mesh/stack_bodies.hpp"
 
 #include <algorithm>
@@ -43,10 +43,9 @@ void Check(const LayersOptions &options)
 // [0, width]^2 x [0, thickness], with curved elements.
 Mesh MakeSlab(const LayersOptions &options, int cells)
 {
-   const real_t through = cells * options.thickness / options.width;
-   Mesh slab = Mesh::MakeCartesian3D(
-      cells, cells, std::max(1, static_cast<int>(std::lround(through))),
-      options.type, options.width, options.width, options.thickness);
+   Mesh slab = Mesh::MakeCartesian3D(cells, cells, CellsThrough(options, cells),
+                                     options.type, options.width, options.width,
+                                     options.thickness);
    slab.SetCurvature(2);
    return slab;
 }
@@ -70,11 +69,10 @@ void Bend(Mesh &slab, real_t radius)
          to[2] += (from[0] * from[0] + from[1] * from[1]) / (2.0 * radius);
       });
 }
-} // namespace
 
-NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
+MeshShare ScatterLayers(const LayersOptions &options, const NameTable &regions,
+                        const NameTable &boundaries, MPI_Comm comm)
 {
-   Check(options);
    int rank = 0;
    MPI_Comm_rank(comm, &rank);
    StackedBodies both;
@@ -86,6 +84,20 @@ NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
       Bend(upper, options.curvature_radius);
       both = StackBodies({&lower, &upper});
    }
+   std::vector<int> by_metis;
+   return ScatterMesh(both.mesh, regions, boundaries, comm, by_metis);
+}
+} // namespace
+
+int CellsThrough(const LayersOptions &options, int cells)
+{
+   const real_t through = cells * options.thickness / options.width;
+   return std::max(1, static_cast<int>(std::lround(through)));
+}
+
+NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
+{
+   Check(options);
    // Of a slab MFEM numbers the faces z0, y0, x1, y1, x0, z1.
    constexpr int above = 6;
    const NameTable regions = {{"lower", {1}}, {"upper", {2}}};
@@ -96,9 +108,9 @@ NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)
                                  {"symmetry_x", {5, above + 5}},
                                  {"symmetry_y", {2, above + 2}},
                                  {"rims", {3, 4, above + 3, above + 4}}};
-   std::vector<int> by_metis;
-   MeshShare share =
-      ScatterMesh(both.mesh, regions, boundaries, comm, by_metis);
+   MeshShare share = options.type == Element::HEXAHEDRON
+                        ? MakeHexLayerShare(options, comm)
+                        : ScatterLayers(options, regions, boundaries, comm);
    RefineUniformly(share, options.refine);
    return NamedMesh(std::move(share.mesh), regions, boundaries,
                     std::move(share.serial_elements));

@@ -23,15 +23,18 @@ struct LayersOptions
    /// match.
    int lower_cells = 8;
    int upper_cells = 6;
-   /// How often each element is split after the mesh was distributed: what is
-   /// split before takes memory on each rank.
+   /// How often each element is split after the mesh was distributed: rank 0
+   /// has a part in all that are distributed, and holds tetrahedra whole.
    int refine = 0;
 };
+
+/// Cells through the thickness of a layer with so many along an edge.
+int CellsThrough(const LayersOptions &options, int cells);
 
 /// The layers with the regions "lower" and "upper" and the boundaries
 /// lower_bone, lower_contact, upper_contact, upper_bone, symmetry_x (x = 0),
 /// symmetry_y and rims. Collective. Throws Error on options out of range and
-/// where there are more ranks than elements.
+/// where there are more ranks than elements. Ranks make their own hexahedra.
 NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm);
 
 } // namespace synovia

@@ -30,7 +30,8 @@ LayersEstimate EstimateLayers(const LayersOptions &options, int order)
 {
    const real_t pressure_order = std::max(1, order - 1);
    const real_t split = std::pow(2.0, options.refine);
-   const real_t in_cell = options.type == Element::HEXAHEDRON ? 1.0 : 6.0;
+   const bool hexahedra = options.type == Element::HEXAHEDRON;
+   const real_t in_cell = hexahedra ? 1.0 : 6.0;
    LayersEstimate estimate;
    real_t elements = 0.0;
    for (const real_t cells : {options.lower_cells, options.upper_cells})
@@ -48,10 +49,10 @@ LayersEstimate EstimateLayers(const LayersOptions &options, int order)
    }
    const real_t dofs = 3.0 * NodesOfElement(options.type, order) +
                        NodesOfElement(options.type, pressure_order);
+   const real_t held_whole = hexahedra ? 0.0 : estimate.unsplit_elements;
    // Entries of neighbors' matrices that fall together are about half.
-   estimate.gigabytes =
-      1e-9 * (bytes_an_element * (estimate.unsplit_elements + elements) +
-              bytes_an_entry * 0.5 * dofs * dofs * elements);
+   estimate.gigabytes = 1e-9 * (bytes_an_element * (held_whole + elements) +
+                                bytes_an_entry * 0.5 * dofs * dofs * elements);
    return estimate;
 }
 

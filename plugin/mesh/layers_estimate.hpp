@@ -9,12 +9,13 @@ namespace synovia
 /// made; it may be too large to be computed.
 struct LayersEstimate
 {
-   /// Elements before they are split, all of them on rank 0 for a while.
+   /// Elements before they are split; rank 0 holds tetrahedra whole for a
+   /// while.
    mfem::real_t unsplit_elements = 0.0;
    /// Displacements of the order asked for, and pressures.
    mfem::real_t unknowns = 0.0;
-   /// Least memory of all ranks together: the mesh before it is distributed,
-   /// and the elements' matrices once.
+   /// Least memory of all ranks together: the mesh, and tetrahedra before they
+   /// are distributed, and the elements' matrices once.
    mfem::real_t gigabytes = 0.0;
 };
 

@@ -11,6 +11,13 @@ using namespace mfem;
 
 namespace
 {
+std::string TooManyRanks(int ranks, int elements)
+{
+   return "there are " + std::to_string(ranks) + " ranks and only " +
+          std::to_string(elements) +
+          " elements; use fewer ranks or refine the mesh";
+}
+
 std::string CheckNames(const std::string &kind, const NameTable &names,
                        const Array<int> &present)
 {
@@ -59,9 +66,7 @@ std::string Check(const Mesh &serial, const NameTable &regions,
    }
    if (ranks > serial.GetNE())
    {
-      return "there are " + std::to_string(ranks) + " ranks and only " +
-             std::to_string(serial.GetNE()) +
-             " elements; use fewer ranks or refine the mesh";
+      return TooManyRanks(ranks, serial.GetNE());
    }
    if (serial.attributes.Min() < 1 ||
        (!serial.bdr_attributes.IsEmpty() && serial.bdr_attributes.Min() < 1))
@@ -78,18 +83,6 @@ std::string Check(const Mesh &serial, const NameTable &regions,
       message = CheckPartitioning(serial, ranks, partitioning);
    }
    return message;
-}
-
-// The mesh of a rank as text: MFEM's format of parallel meshes.
-std::vector<char> TextOf(const MeshPartitioner &partitioner, int rank)
-{
-   MeshPart part;
-   partitioner.ExtractPart(rank, part);
-   std::ostringstream text;
-   text.precision(17);
-   part.Print(text);
-   const std::string all = text.str();
-   return std::vector<char>(all.begin(), all.end());
 }
 
 Array<int> Broadcast(const Array<int> &attributes, MPI_Comm comm)
@@ -111,6 +104,37 @@ std::string FindPyramids(const Mesh &mesh)
              : "";
 }
 } // namespace
+
+void VerifyRanks(int ranks, int elements)
+{
+   if (ranks > elements)
+   {
+      throw Error(TooManyRanks(ranks, elements));
+   }
+}
+
+std::vector<char> TextOfShare(const MeshPartitioner &partitioner, int rank)
+{
+   MeshPart part;
+   partitioner.ExtractPart(rank, part);
+   std::ostringstream text;
+   text.precision(17);
+   part.Print(text);
+   const std::string all = text.str();
+   return std::vector<char>(all.begin(), all.end());
+}
+
+std::unique_ptr<ParMesh> JoinShares(const std::vector<char> &text,
+                                    MPI_Comm comm)
+{
+   std::istringstream stream(std::string(text.begin(), text.end()));
+   // Elements keep the order of their vertices: tetrahedra are marked already,
+   // and tangled elements are not to be turned around.
+   constexpr bool mark = false;
+   constexpr int with_edges = 1;
+   constexpr bool turn = false;
+   return std::make_unique<ParMesh>(comm, stream, mark, with_edges, turn);
+}
 
 MeshShare ScatterMesh(Mesh &serial, const NameTable &regions,
                       const NameTable &boundaries, MPI_Comm comm,
@@ -143,15 +167,10 @@ MeshShare ScatterMesh(Mesh &serial, const NameTable &regions,
    }
    MeshShare share;
    share.serial_elements = ScatterByElement(numbers, partitioning, comm);
-   const std::vector<char> text = ScatterLists<char>(
-      [&](int to) { return TextOf(*partitioner, to); }, comm);
-   std::istringstream stream(std::string(text.begin(), text.end()));
-   // Elements keep the order of their vertices: tetrahedra are marked already,
-   // and tangled elements are not to be turned around.
-   constexpr bool mark = false;
-   constexpr int with_edges = 1;
-   constexpr bool turn = false;
-   share.mesh = std::make_unique<ParMesh>(comm, stream, mark, with_edges, turn);
+   share.mesh = JoinShares(
+      ScatterLists<char>([&](int to) { return TextOfShare(*partitioner, to); },
+                         comm),
+      comm);
    share.mesh->attributes = Broadcast(serial.attributes, comm);
    share.mesh->bdr_attributes = Broadcast(serial.bdr_attributes, comm);
    return share;

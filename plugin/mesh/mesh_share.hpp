@@ -26,6 +26,19 @@ MeshShare ScatterMesh(mfem::Mesh &serial, const NameTable &regions,
                       const NameTable &boundaries, MPI_Comm comm,
                       std::vector<int> &partitioning);
 
+/// Throws Error if some ranks would have no element.
+void VerifyRanks(int ranks, int elements);
+
+/// A rank's share of a mesh as text, MFEM's format of parallel meshes. The mesh
+/// may lack elements that have no vertex in common with that share, if those it
+/// has, and the vertices, follow each other in the same order on all ranks.
+std::vector<char> TextOfShare(const mfem::MeshPartitioner &partitioner,
+                              int rank);
+
+/// Collective. The mesh of which each rank has the text of its share.
+std::unique_ptr<mfem::ParMesh> JoinShares(const std::vector<char> &text,
+                                          MPI_Comm comm);
+
 /// Collective. The values of this rank's elements, of which rank 0 has one for
 /// each element of the serial mesh, by its @a partitioning.
 template <typename T>

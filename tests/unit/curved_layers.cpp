@@ -1,4 +1,6 @@
 // Layers made in memory have the shape and the sides that they should.
+//
+// ranks: 1 2 3 4 16
 
 #include "synovia/mesh/curved_layers.hpp"
 #include "synovia/general/error.hpp"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 using namespace mfem;
 using namespace synovia;
@@ -90,6 +93,48 @@ TEST_CASE("curved layers")
          CHECK(volume == Approx(4.0).epsilon(1e-10));
       }
    }
+   SECTION("nodes that ranks share")
+   {
+      // Continuous functions are single-valued, and have as many unknowns as
+      // there are nodes: ranks agree on the vertices, edges and faces that they
+      // share.
+      ParMesh &mesh = layers.Get();
+      H1_FECollection shapes(2, 3);
+      ParFiniteElementSpace space(&mesh, &shapes);
+      const int split = options.refine == 1 ? 4 : 2;
+      const auto nodes = [split](int across, int through) {
+         return (split * across + 1) * (split * across + 1) *
+                (split * through + 1);
+      };
+      CHECK(space.GlobalTrueVSize() == nodes(4, 2) + nodes(3, 2));
+      ParGridFunction values(&space);
+      FunctionCoefficient field([](const Vector &x)
+                                { return x[0] + 3.0 * x[1] - 7.0 * x[2]; });
+      values.ProjectCoefficient(field);
+      ParGridFunction shared(values);
+      const std::unique_ptr<HypreParVector> owned(values.GetTrueDofs());
+      shared.Distribute(*owned);
+      shared -= values;
+      CHECK(shared.Normlinf() <= 1e-12);
+      CHECK(values.Size() > 0);
+   }
+   SECTION("elements are numbered through")
+   {
+      const std::vector<int> numbers = layers.SerialElements();
+      const auto count = static_cast<real_t>(layers.Get().GetGlobalNE());
+      CHECK(static_cast<int>(numbers.size()) == layers.Get().GetNE());
+      CHECK(std::is_sorted(numbers.begin(), numbers.end()));
+      real_t sum = 0.0;
+      real_t squares = 0.0;
+      for (const int number : numbers)
+      {
+         sum += number;
+         squares += 1.0 * number * number;
+      }
+      CHECK(SumOverRanks(sum, MPI_COMM_WORLD) == count * (count - 1.0) / 2.0);
+      CHECK(SumOverRanks(squares, MPI_COMM_WORLD) ==
+            (count - 1.0) * count * (2.0 * count - 1.0) / 6.0);
+   }
    SECTION("surfaces")
    {
       const auto paraboloid = [](const Vector &x)
@@ -126,6 +171,24 @@ TEST_CASE("curved layers")
                  [](const Vector &x) { return std::max(x[0], x[1]) - 2.0; });
       CHECK(rims.area == Approx(8.0).epsilon(1e-10));
       CHECK(rims.off <= 1e-12);
+   }
+}
+
+TEST_CASE("curved layers: more ranks than elements")
+{
+   int ranks = 1;
+   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+   LayersOptions options;
+   options.lower_cells = 1;
+   options.upper_cells = 1;
+   if (ranks > 2)
+   {
+      CHECK_THROWS_AS(MakeCurvedLayers(options, MPI_COMM_WORLD), Error);
+   }
+   else
+   {
+      NamedMesh layers = MakeCurvedLayers(options, MPI_COMM_WORLD);
+      CHECK(layers.Get().GetNE() == 2 / ranks);
    }
 }
 
