@@ -536,7 +536,7 @@ int Run(int argc, char *argv[])
    if (*options.rank_records)
    {
       AddShare(problem, record);
-      record.Add("memory_peak", GetPeakMemory());
+      record.AddMemoryOfAll();
       record.Write(std::string(options.rank_records) + "." +
                    std::to_string(Mpi::WorldRank()) + ".csv");
    }

@@ -50,7 +50,7 @@ def make_runs(runner: AuditRunner, cells: dict[int, int],
 def held_table(audits: list[Audit]) -> list[str]:
     """What the rank holds that holds most, with the mean of all in brackets."""
     columns = ("dofs", "contact_faces", "entries", "memory", "memory_mesh",
-               "memory_equations", "memory_steps")
+               "memory_equations", "memory_steps", "memory_shared")
     lines = ["| ranks | " + " | ".join(
         name.replace("_", " ") for name in columns) + " |",
         "|---" * (len(columns) + 1) + "|"]
@@ -101,7 +101,7 @@ def growth_table(audits: list[Audit]) -> list[str]:
     lines = ["| largest of all ranks | exponent from 4 ranks on |",
              "|---|---|"]
     for name in ("memory", "memory_mesh", "memory_equations", "memory_steps",
-                 "entries", "contact_faces"):
+                 "memory_shared", "entries", "contact_faces"):
         lines.append(f"| {name.replace('_', ' ')} | "
                      + power([a.held[name].max() for a in settled]) + " |")
     for phase in PHASES:
@@ -123,7 +123,10 @@ def report(weak: list[Audit], strong: list[Audit], bounds: list[Bound]
                           ("The same problem", strong)):
         parts += [f"## {title}", "", *work_table(audits), "",
                   "Held by the rank with the largest part (mean): numbers, and "
-                  "memory in MiB above what the program has at its start.", "",
+                  "memory in MiB above what the program has at its start. What "
+                  "MPI shares between ranks is apart: each rank that sees it "
+                  "counts it whole, and it grows with the ranks of one "
+                  "machine.", "",
                   *held_table(audits), ""]
         for phase in PHASES:
             parts += [f"Phase {phase}, "

@@ -15,8 +15,10 @@ from benchmark_runs import BenchmarkError, Run, Runner
 PHASES = ("mesh", "assembly", "search", "setup", "iteration", "other")
 COUNTS = ("messages", "bytes", "destinations", "collectives",
           "collective_bytes")
+# Memory is what a rank has for itself; memory_shared is what MPI shares between
+# the ranks of one machine.
 HELD = ("dofs", "elements", "contact_faces", "entries", "memory",
-        "memory_mesh", "memory_equations", "memory_steps")
+        "memory_mesh", "memory_equations", "memory_steps", "memory_shared")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -4,8 +4,9 @@
 
 Requirements: the message counter sees each kind of message once, in its phase;
 one rank sends nothing; every rank of a run is counted, and all hold the whole
-problem together; no rank but the first holds the mesh; growth is an exponent; a
-bound that is exceeded is said, and is the exit status.
+problem together, but none the whole mesh; memory that ranks share is counted
+apart; growth is an exponent; a bound that is exceeded is said, and is the exit
+status.
 """
 
 from __future__ import annotations
@@ -136,16 +137,21 @@ def check_audit(work: pathlib.Path) -> None:
                                 "other")), f"{name}: one rank sends nothing")
         check(all(float(row["iteration_messages"]) > 0.0 for row in others),
               f"{name}: others do")
-        check(all(float(row["mesh_bytes"]) < 1e5 for row in others
-                  if row["rank"] != "0")
-              and all(float(row["mesh_bytes"]) > 1e4 for row in others
-                      if row["rank"] == "0"),
-              f"{name}: rank 0 sends the shares of the mesh")
+        check(0.0 < max(float(row["mesh_bytes"]) for row in others) < 1e4,
+              f"{name}: rank 0 sends places of cells, not the mesh")
+        check(all(float(row["memory_shared"]) > 0.0 for row in others
+                  if row["ranks"] == "4"), f"{name}: MPI shares memory")
+        check(all(float(row["memory"]) >= float(row["memory_steps"]) > 0.0
+                  for row in rows), f"{name}: each rank has its own")
     unknowns = {ranks: sum(float(row["dofs"]) for row in rows
                            if row["ranks"] == ranks)
                 for ranks in ("1", "2", "4")}
     check(len(set(unknowns.values())) == 1,
           f"strong: all hold the problem together: {unknowns}")
+    mesh = {ranks: max(float(row["memory_mesh"]) for row in rows
+                       if row["ranks"] == ranks) for ranks in ("1", "4")}
+    check(mesh["4"] < 0.7 * mesh["1"],
+          f"strong: no rank of four holds the whole mesh: {mesh}")
 
 
 def check_errors(work: pathlib.Path) -> None:
