@@ -111,6 +111,28 @@ std::string WriteHalfway(const Setup &setup, const std::string &directory,
    return WriteCheckpoint(directory, box.Problem(), stepper);
 }
 
+/// A run that writes a checkpoint on its way.
+struct WatchedRun
+{
+   std::vector<Row> rows;
+   std::string file;
+};
+
+WatchedRun RunThrough(const Setup &setup, const std::string &directory,
+                      MPI_Comm comm)
+{
+   PressedBox box(comm, Options(setup));
+   TimeStepper stepper(box.Problem(), setup.times);
+   WatchedRun run;
+   run.rows = March(box, stepper, setup.interruption);
+   run.file = WriteCheckpoint(directory, box.Problem(), stepper);
+   for (Row &row : March(box, stepper, PressedBox::end))
+   {
+      run.rows.push_back(std::move(row));
+   }
+   return run;
+}
+
 std::vector<Row> Resume(const Setup &setup, const std::string &file,
                         MPI_Comm comm)
 {
@@ -243,10 +265,8 @@ TEST_CASE("A run resumed by as many ranks equals the uninterrupted one")
    // hierarchy, which is not in the checkpoint. All the rest must be.
    setup.method = LinearMethod::block_amg;
    const TemporaryDirectory directory;
-   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
-   const std::string file =
-      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
-   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-12);
+   const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-12);
 }
 
 TEST_CASE("A run resumed by more ranks, or on the first of them, equals the "
@@ -292,10 +312,8 @@ TEST_CASE(
    setup.gap_tolerance = 1e-9;
    setup.pressure_tolerance = 1e-9;
    const TemporaryDirectory directory;
-   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
-   const std::string file =
-      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
-   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-10);
+   const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-10);
 }
 
 TEST_CASE("A run resumed while the box rubs equals the uninterrupted one")
@@ -316,8 +334,6 @@ TEST_CASE("A run resumed while the box rubs equals the uninterrupted one")
    setup.tuning.contact.drift_of_gap = 0.0;
    setup.tuning.contact.drift_of_area = 0.0;
    const TemporaryDirectory directory;
-   const std::vector<Row> whole = Whole(setup, MPI_COMM_WORLD);
-   const std::string file =
-      WriteHalfway(setup, directory.Path(), MPI_COMM_WORLD);
-   Compare(Resume(setup, file, MPI_COMM_WORLD), whole, 1e-8);
+   const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-8);
 }
