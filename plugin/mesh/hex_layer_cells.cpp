@@ -3,6 +3,7 @@
 
 #include <metis.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <set>
