@@ -143,7 +143,7 @@ void AddCondition(BoundaryCase condition, const FebInput &where,
          return;
       }
    }
-   all.push_back(condition);
+   all.push_back(std::move(condition));
    all.erase(
       std::remove_if(all.begin() + static_cast<long>(model.first_condition),
                      all.end(), IsEmpty),

@@ -32,18 +32,23 @@ int Freedom(const std::string &dof)
    return -1;
 }
 
+std::optional<LoadCurve> &Motion(int freedom, RigidBodyCase &body)
+{
+   return (freedom < 3 ? body.translation : body.rotation)[freedom % 3];
+}
+
 // Relative to where the body is when a step begins, or not.
 void Prescribe(int freedom, const LoadCurve &value, bool relative,
                RigidBodyCase &body, FebModel &model)
 {
-   (freedom < 3 ? body.translation : body.rotation)[freedom % 3] = value;
+   Motion(freedom, body) = value;
    model.relative[body.name][freedom] = relative && model.in_step;
 }
 
 // FEBio fixes freedoms that nothing else prescribes.
 void Fix(int freedom, RigidBodyCase &body, FebModel &model)
 {
-   if (!(freedom < 3 ? body.translation : body.rotation)[freedom % 3])
+   if (!Motion(freedom, body))
    {
       Prescribe(freedom, LoadCurve(0.0), true, body, model);
    }

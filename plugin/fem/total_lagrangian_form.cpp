@@ -1,6 +1,5 @@
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/error.hpp"
-#include "synovia/general/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -60,13 +60,13 @@ void Lower(Mesh &slab, real_t thickness)
       });
 }
 
-void Bend(Mesh &slab, real_t radius)
+void Bend(Mesh &slab, const LayersOptions &options)
 {
    slab.Transform(
-      [radius](const Vector &from, Vector &to)
+      [&options](const Vector &from, Vector &to)
       {
          to = from;
-         to[2] += (from[0] * from[0] + from[1] * from[1]) / (2.0 * radius);
+         to[2] += BendAt(options, from);
       });
 }
 
@@ -81,7 +81,7 @@ MeshShare ScatterLayers(const LayersOptions &options, const NameTable &regions,
       Mesh lower = MakeSlab(options, options.lower_cells);
       Mesh upper = MakeSlab(options, options.upper_cells);
       Lower(lower, options.thickness);
-      Bend(upper, options.curvature_radius);
+      Bend(upper, options);
       both = StackBodies({&lower, &upper});
    }
    std::vector<int> by_metis;
@@ -93,6 +93,11 @@ int CellsThrough(const LayersOptions &options, int cells)
 {
    const real_t through = cells * options.thickness / options.width;
    return std::max(1, static_cast<int>(std::lround(through)));
+}
+
+real_t BendAt(const LayersOptions &options, const Vector &x)
+{
+   return (x[0] * x[0] + x[1] * x[1]) / (2.0 * options.curvature_radius);
 }
 
 NamedMesh MakeCurvedLayers(const LayersOptions &options, MPI_Comm comm)

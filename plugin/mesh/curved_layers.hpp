@@ -31,6 +31,9 @@ struct LayersOptions
 /// Cells through the thickness of a layer with so many along an edge.
 int CellsThrough(const LayersOptions &options, int cells);
 
+/// How far the upper layer is bent up at a point of it.
+mfem::real_t BendAt(const LayersOptions &options, const mfem::Vector &x);
+
 /// The layers with the regions "lower" and "upper" and the boundaries
 /// lower_bone, lower_contact, upper_contact, upper_bone, symmetry_x (x = 0),
 /// symmetry_y and rims. Collective. Throws Error on options out of range and

@@ -14,8 +14,8 @@ namespace
 class BentUpperLayer : public VectorCoefficient
 {
 public:
-   explicit BentUpperLayer(real_t radius_)
-      : VectorCoefficient(3), radius(radius_)
+   explicit BentUpperLayer(const LayersOptions &options_)
+      : VectorCoefficient(3), options(options_)
    {
    }
    void Eval(Vector &to, ElementTransformation &map,
@@ -24,12 +24,12 @@ public:
       map.Transform(point, to);
       if (map.Attribute == 2)
       {
-         to[2] += (to[0] * to[0] + to[1] * to[1]) / (2.0 * radius);
+         to[2] += BendAt(options, to);
       }
    }
 
 private:
-   real_t radius;
+   const LayersOptions &options;
 };
 
 /// The mesh of some cells, whose order and that of their vertices it keeps.
@@ -124,7 +124,7 @@ private:
    void Bend()
    {
       mesh.SetCurvature(2);
-      BentUpperLayer bent(options.curvature_radius);
+      BentUpperLayer bent(options);
       GridFunction nodes(mesh.GetNodes()->FESpace());
       nodes.ProjectCoefficient(bent);
       *mesh.GetNodes() = nodes;
