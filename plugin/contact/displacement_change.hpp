@@ -32,19 +32,22 @@ public:
       AppendBlock(1.0, block, rows, 0, at.NormalRows(), by_normals);
    }
 
+   /// Frees the entries on the way. Collective.
    std::unique_ptr<mfem::HypreParMatrix>
    Assemble(HYPRE_BigInt *row_offsets, HYPRE_BigInt rows,
             mfem::ParFiniteElementSpace &displacement,
             const SurfaceNormals &normals,
-            const mfem::HypreParMatrix &normals_change) const
+            const mfem::HypreParMatrix &normals_change)
    {
       MPI_Comm comm = displacement.GetComm();
       const auto by_displacement = AssembleTriplets(
          comm, direct, row_offsets, rows, displacement.GetTrueDofOffsets(),
          displacement.GlobalTrueVSize());
+      direct = std::vector<Triplet>();
       const auto by_normal =
          AssembleTriplets(comm, by_normals, row_offsets, rows,
                           normals.RowOffsets(), normals.GlobalRows());
+      by_normals = std::vector<Triplet>();
       const std::unique_ptr<mfem::HypreParMatrix> product(
          ParMult(by_normal.get(), &normals_change, true));
       return std::unique_ptr<mfem::HypreParMatrix>(

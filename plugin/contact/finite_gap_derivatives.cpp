@@ -129,6 +129,10 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
 {
    const SurfaceVertices &m = pairing.Destination().Vertices();
    pairing.SourceFaces().UpdatePressures(p);
+   force_change.reset();
+   gap_change.reset();
+   jump_change.reset();
+   outflow_change.reset();
    Vector traction(nodal_force);
    Vector flux(nodal_flow);
    traction *= inverse_area;
@@ -167,7 +171,7 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
    const SurfaceNormals &normals = pairing.Normals();
    const auto normals_change = normals.Derivative();
    ParFiniteElementSpace &u = spaces.Displacement();
-   const auto by_vertex = [&](const DisplacementChange &change)
+   const auto by_vertex = [&](DisplacementChange &change)
    {
       auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(), u, normals,
                                     *normals_change);
@@ -176,14 +180,15 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
       return matrix;
    };
    const auto by_dof =
-      [&](const DisplacementChange &change, ParFiniteElementSpace &rows)
+      [&](DisplacementChange &change, ParFiniteElementSpace &rows)
    {
       return change.Assemble(rows.GetTrueDofOffsets(), rows.GlobalTrueVSize(),
                              u, normals, *normals_change);
    };
+   // The largest first, which leaves room for the others.
+   force_change = by_dof(by_force, u);
    gap_change = by_vertex(by_gap);
    jump_change = by_vertex(by_jump);
-   force_change = by_dof(by_force, u);
    outflow_change = by_dof(by_outflow, spaces.Pressure());
 }
 

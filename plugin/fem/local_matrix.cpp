@@ -49,9 +49,7 @@ LocalMatrix::LocalMatrix(ParFiniteElementSpace &row_space_,
                          ParFiniteElementSpace &column_space_)
    : row_space(row_space_), column_space(column_space_),
      diagonal_first(&row_space == &column_space),
-     sparsity(row_space, column_space), entries(sparsity.Entries(), 0.0),
-     matrix(sparsity.Begins(), sparsity.Columns(), entries.data(),
-            row_space.GetVSize(), column_space.GetVSize(), false, false, false)
+     sparsity(row_space, column_space)
 {
    FindPlaces();
    if (diagonal_first)
@@ -61,8 +59,19 @@ LocalMatrix::LocalMatrix(ParFiniteElementSpace &row_space_,
    if (row_space.GetNRanks() > 1 && row_space.Conforming() &&
        column_space.Conforming())
    {
-      shared_sum = std::make_unique<SharedSum>(row_space, column_space, matrix);
+      Allocate();
+      shared_sum =
+         std::make_unique<SharedSum>(row_space, column_space, *matrix);
    }
+   Clear();
+}
+
+void LocalMatrix::Allocate()
+{
+   entries.resize(sparsity.Entries());
+   matrix = std::make_unique<SparseMatrix>(
+      sparsity.Begins(), sparsity.Columns(), entries.data(),
+      row_space.GetVSize(), column_space.GetVSize(), false, false, false);
 }
 
 void LocalMatrix::FindPlaces()
@@ -105,6 +114,7 @@ void LocalMatrix::FindPlaces()
 
 void LocalMatrix::Clear()
 {
+   Allocate();
    if (constant_part.empty())
    {
       std::fill(entries.begin(), entries.end(), 0.0);
@@ -162,8 +172,12 @@ void LocalMatrix::Add(int element, const DenseMatrix &element_entries)
 
 std::unique_ptr<HypreParMatrix> LocalMatrix::Sum()
 {
-   return shared_sum ? shared_sum->Sum(entries)
-                     : SumShared(row_space, column_space, matrix);
+   std::unique_ptr<HypreParMatrix> sum =
+      shared_sum ? shared_sum->Sum(std::move(entries))
+                 : SumShared(row_space, column_space, *matrix);
+   matrix.reset();
+   entries = std::vector<real_t>();
+   return sum;
 }
 
 } // namespace synovia

@@ -28,7 +28,8 @@ private:
    std::vector<int> columns;
 };
 
-/// A matrix between two spaces that is summed from elements again and again.
+/// A matrix between two spaces that is summed from elements again and again:
+/// Clear(), Add() and Sum(), which frees the entries until the next Clear().
 ///
 /// Where the entries of each element go is found once: two bytes for each pair
 /// of its nodes.
@@ -41,20 +42,26 @@ public:
 
    /// Back to the constant part; zero if there is none.
    void Clear();
-   /// What was summed up to now is a constant part of all sums from now on.
-   void KeepAsConstant() { constant_part = entries; }
+   /// What was added up to now is a constant part of all sums from now on, in
+   /// single precision.
+   void KeepAsConstant()
+   {
+      constant_part.assign(entries.begin(), entries.end());
+   }
    /// Adds an element's matrix; rows and columns go component by component.
    void Add(int element, const mfem::DenseMatrix &element_entries);
    /// Adds a matrix by local vector dofs that share an element.
    void Add(const mfem::Array<int> &rows, const mfem::Array<int> &columns,
             const mfem::DenseMatrix &some_entries)
    {
-      matrix.AddSubMatrix(rows, columns, some_entries, 0);
+      matrix->AddSubMatrix(rows, columns, some_entries, 0);
    }
    /// On true dofs, summed over ranks. Collective.
    std::unique_ptr<mfem::HypreParMatrix> Sum();
 
 private:
+   /// Makes room for entries.
+   void Allocate();
    void PutDiagonalFirst();
    void FindPlaces();
 
@@ -72,8 +79,9 @@ private:
    std::vector<std::size_t> place_begins;
    std::vector<mfem::real_t> entries;
    /// Empty if there is none.
-   std::vector<mfem::real_t> constant_part;
-   mfem::SparseMatrix matrix;
+   std::vector<float> constant_part;
+   /// Borrows the entries; null while there are none.
+   std::unique_ptr<mfem::SparseMatrix> matrix;
    /// None on one rank.
    std::unique_ptr<SharedSum> shared_sum;
 };

@@ -127,6 +127,12 @@ Memory<T> Copied(const std::vector<T> &values)
    std::copy(values.begin(), values.end(), static_cast<T *>(copy));
    return copy;
 }
+Memory<real_t> Zeros(std::size_t size)
+{
+   Memory<real_t> zeros(static_cast<int>(size));
+   std::fill_n(static_cast<real_t *>(zeros), size, 0.0);
+   return zeros;
+}
 } // namespace
 
 SharedSum::SharedSum(ParFiniteElementSpace &row_space_,
@@ -192,30 +198,22 @@ void SharedSum::KeepPattern(const HypreParMatrix &pattern)
 }
 
 std::unique_ptr<HypreParMatrix>
-SharedSum::Sum(const std::vector<real_t> &entries) const
+SharedSum::Sum(std::vector<real_t> entries) const
 {
    MFEM_VERIFY(entries.size() == places.size(),
                "the entries should be those of the local matrix");
-   const int on_diagonal = static_cast<int>(diagonal.columns.size());
-   const int mine = Entries();
-   int all = mine;
-   for (const Outgoing &message : outgoing)
-   {
-      all += message.count;
-   }
-   std::vector<real_t> sums(all, 0.0);
+   // The first two go to the matrix.
+   Memory<real_t> diagonal_values = Zeros(diagonal.columns.size());
+   Memory<real_t> beside_values = Zeros(beside.columns.size());
+   std::vector<real_t> for_others(CountOutgoing(), 0.0);
+   const Sums sums{diagonal_values, diagonal_values.Capacity(), beside_values,
+                   Entries(), for_others.data()};
    for (std::size_t k = 0; k < entries.size(); k++)
    {
-      sums[places[k]] += entries[k];
+      sums.At(places[k]) += entries[k];
    }
-   AddIncoming(sums);
-   // They go to the matrix.
-   Memory<real_t> diagonal_values(on_diagonal);
-   Memory<real_t> beside_values(mine - on_diagonal);
-   std::copy_n(sums.data(), on_diagonal,
-               static_cast<real_t *>(diagonal_values));
-   std::copy_n(sums.data() + on_diagonal, mine - on_diagonal,
-               static_cast<real_t *>(beside_values));
+   entries = std::vector<real_t>();
+   AddIncoming(for_others, sums);
    return std::make_unique<HypreParMatrix>(
       row_space.GetComm(), row_space.GlobalTrueVSize(),
       column_space.GlobalTrueVSize(), row_space.GetTrueDofOffsets(),
@@ -225,7 +223,18 @@ SharedSum::Sum(const std::vector<real_t> &entries) const
       static_cast<HYPRE_Int>(column_numbers.size()), Copied(column_numbers));
 }
 
-void SharedSum::AddIncoming(std::vector<real_t> &sums) const
+int SharedSum::CountOutgoing() const
+{
+   int count = 0;
+   for (const Outgoing &message : outgoing)
+   {
+      count += message.count;
+   }
+   return count;
+}
+
+void SharedSum::AddIncoming(const std::vector<real_t> &for_others,
+                            const Sums &sums) const
 {
    MPI_Comm comm = row_space.GetComm();
    const MPI_Datatype type = MPITypeMap<real_t>::mpi_type;
@@ -239,12 +248,12 @@ void SharedSum::AddIncoming(std::vector<real_t> &sums) const
       MPI_Irecv(received.back().data(), static_cast<int>(message.places.size()),
                 type, message.rank, 0, comm, &requests.back());
    }
-   int begin = Entries();
+   int begin = 0;
    for (const Outgoing &message : outgoing)
    {
       requests.emplace_back();
-      MPI_Isend(sums.data() + begin, message.count, type, message.rank, 0, comm,
-                &requests.back());
+      MPI_Isend(for_others.data() + begin, message.count, type, message.rank, 0,
+                comm, &requests.back());
       begin += message.count;
    }
    MPI_Waitall(static_cast<int>(requests.size()), requests.data(),
@@ -253,7 +262,7 @@ void SharedSum::AddIncoming(std::vector<real_t> &sums) const
    {
       for (std::size_t k = 0; k < received[r].size(); k++)
       {
-         sums[incoming[r].places[k]] += received[r][k];
+         sums.At(incoming[r].places[k]) += received[r][k];
       }
    }
 }

@@ -25,9 +25,10 @@ public:
              mfem::SparseMatrix &local);
 
    /// The sum, on true dofs. Collective.
-   /// @param entries  as many as the local matrix has
+   /// @param entries  as many as the local matrix has; freed on the way if they
+   ///                 are moved here
    std::unique_ptr<mfem::HypreParMatrix>
-   Sum(const std::vector<mfem::real_t> &entries) const;
+   Sum(std::vector<mfem::real_t> entries) const;
 
 private:
    /// Where a block of the sum has entries.
@@ -47,9 +48,27 @@ private:
       int rank;
       std::vector<int> places;
    };
+   /// The values of the blocks, and what other ranks get, one after another.
+   struct Sums
+   {
+      mfem::real_t *diagonal;
+      int diagonal_end;
+      mfem::real_t *beside;
+      int beside_end;
+      mfem::real_t *for_others;
+
+      mfem::real_t &At(int place) const
+      {
+         return place < diagonal_end ? diagonal[place]
+                : place < beside_end ? beside[place - diagonal_end]
+                                     : for_others[place - beside_end];
+      }
+   };
    void KeepPattern(const mfem::HypreParMatrix &pattern);
-   /// Sends the entries for other ranks, and adds those of them.
-   void AddIncoming(std::vector<mfem::real_t> &sums) const;
+   int CountOutgoing() const;
+   /// Sends what other ranks get, and adds what they send.
+   void AddIncoming(const std::vector<mfem::real_t> &for_others,
+                    const Sums &sums) const;
    int Entries() const
    {
       return static_cast<int>(diagonal.columns.size() + beside.columns.size());

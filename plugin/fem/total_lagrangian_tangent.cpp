@@ -81,11 +81,16 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
    {
       gravity->AddDerivatives(state, stiffness, divergence);
    }
+   // The former ones go first, and the largest comes last: less memory.
+   matrices.stiffness.reset();
+   matrices.divergence_transpose.reset();
+   matrices.divergence.reset();
+   matrices.darcy.reset();
+   matrices.darcy = darcy.Sum();
+   matrices.divergence = divergence.Sum();
+   matrices.divergence_transpose.reset(growth.Sum()->Transpose());
    matrices.stiffness = stiffness.Sum();
    AddSprings();
-   matrices.divergence_transpose.reset(growth.Sum()->Transpose());
-   matrices.divergence = divergence.Sum();
-   matrices.darcy = darcy.Sum();
    return true;
 }
 

@@ -188,12 +188,18 @@ void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
    y_p.SyncAliasMemory(y);
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::StiffnessUnderTraction() const
+std::vector<const HypreParMatrix *>
+BiphasicJacobian::StiffnessUnderTraction() const
 {
-   std::unique_ptr<HypreParMatrix> sum = ForceChange();
-   return sum ? std::unique_ptr<HypreParMatrix>(
-                   Add(1.0, *matrices.stiffness, 1.0, *sum))
-              : nullptr;
+   std::vector<const HypreParMatrix *> terms{matrices.stiffness.get()};
+   for (const ContactFactors &pair : Contact())
+   {
+      if (pair.force_change)
+      {
+         terms.push_back(pair.force_change);
+      }
+   }
+   return terms;
 }
 
 std::unique_ptr<HypreParMatrix>

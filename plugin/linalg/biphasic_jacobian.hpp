@@ -87,11 +87,11 @@ public:
    const TieTangent *Ties() const { return ties; }
    bool IsContactSymmetric() const;
 
-   /// K + sum F, the bodies and the tractions that follow their surfaces, or
-   /// null where no pair has F. A fluid's pressure in the bodies and the
-   /// contact traction that holds it are of one size and opposite signs there:
-   /// apart from each other they are far from definite. Collective.
-   std::unique_ptr<mfem::HypreParMatrix> StiffnessUnderTraction() const;
+   /// The terms of K + sum F, the bodies and the tractions that follow their
+   /// surfaces. A fluid's pressure in the bodies and the contact traction that
+   /// holds it are of one size and opposite signs there: apart from each other
+   /// they are far from definite.
+   std::vector<const mfem::HypreParMatrix *> StiffnessUnderTraction() const;
 
    /// K + sum (F + G^T W G), with other @a weights W of the gaps, and unit rows
    /// and columns for the prescribed dofs: symmetric if K is and there is no F.

@@ -143,7 +143,7 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
      kind(jacobian.Volume().symmetric ? MatrixKind::positive_definite
                                       : MatrixKind::symmetric),
      displacement(std::make_unique<FilteredAmg>(
-        *jacobian.Volume().stiffness, jacobian.DisplacementDofs(),
+        jacobian.StiffnessUnderTraction(), jacobian.DisplacementDofs(),
         Overlap(jacobian.Volume(), tuning), kind, options))
 {
 }
@@ -155,11 +155,6 @@ void BlockAmgPreconditioner::TangentChanged()
 
 void BlockAmgPreconditioner::FollowTangent()
 {
-   std::unique_ptr<HypreParMatrix> stiffness =
-      jacobian.StiffnessUnderTraction();
-   displacement->Replace(stiffness ? *stiffness : *jacobian.Volume().stiffness,
-                         Gaps(jacobian.Contact()));
-   under_traction = std::move(stiffness);
    if (extra_iterations > tuning.rebuild_cost)
    {
       built = false;
@@ -168,7 +163,7 @@ void BlockAmgPreconditioner::FollowTangent()
    }
    else if (pressure)
    {
-      pressure->Replace(*schur, Jumps(jacobian.Contact()));
+      pressure->Replace({schur.get()}, Jumps(jacobian.Contact()));
    }
    tangent_changed = false;
 }
@@ -276,6 +271,8 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    }
    if (moved || gaps_changed)
    {
+      displacement->Replace(jacobian.StiffnessUnderTraction(),
+                            Gaps(jacobian.Contact()));
       work.factorizations +=
          displacement->SetWeights(gap_weights, soft_weights);
    }
@@ -310,7 +307,8 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       pressure.reset();
       schur = jacobian.SchurComplement(p_dofs, tuning.schur_compliance);
       pressure = std::make_unique<FilteredAmg>(
-         *schur, p_dofs, 1, MatrixKind::positive_definite, options);
+         FilteredAmg::Matrices{schur.get()}, p_dofs, 1,
+         MatrixKind::positive_definite, options);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
                              FlowAmg());
       work.setups++;

@@ -37,7 +37,7 @@ private:
    std::vector<mfem::Vector> SoftWeights() const;
    bool IsOutdated() const;
    void BuildHierarchy();
-   /// Follows the tangent with the present hierarchies or with new ones.
+   /// Follows the tangent with the present hierarchies, or has new ones made.
    void FollowTangent();
    void UpdateDisplacement(bool gaps_changed);
    void UpdatePressure(bool jumps_changed);
@@ -53,8 +53,6 @@ private:
    mfem::real_t fresh_rate = 0.0;
    /// Iterations since, in excess of that rate.
    mfem::real_t extra_iterations = 0.0;
-   /// Null while contact has no tractions that follow the surfaces.
-   std::unique_ptr<mfem::HypreParMatrix> under_traction;
    std::unique_ptr<FilteredAmg> displacement;
    std::unique_ptr<mfem::HypreParMatrix> schur;
    std::unique_ptr<FilteredAmg> pressure;

@@ -55,16 +55,20 @@ void MarkColumns(const HypreParMatrix &matrix, const Vector &rows,
    }
 }
 
-// Marks what is coupled to marked dofs as well.
-void MarkNeighbors(const HypreParMatrix &matrix, Array<int> &marker)
+// Marks what a sum of matrices couples to marked dofs as well.
+void MarkNeighbors(const FilteredAmg::Matrices &terms, Array<int> &marker)
 {
-   Vector marked(matrix.Width());
+   Vector marked(marker.Size());
    for (int i = 0; i < marked.Size(); i++)
    {
       marked[i] = marker[i];
    }
-   Vector weight(matrix.Height());
-   matrix.AbsMult(1.0, marked, 0.0, weight);
+   Vector weight(marker.Size());
+   weight = 0.0;
+   for (const HypreParMatrix *term : terms)
+   {
+      term->AbsMult(1.0, marked, 1.0, weight);
+   }
    weight.HostRead();
    for (int i = 0; i < weight.Size(); i++)
    {
@@ -84,11 +88,12 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 }
 } // namespace
 
-FilteredAmg::FilteredAmg(const HypreParMatrix &matrix_,
-                         const Array<int> &prescribed_, int overlap_,
-                         MatrixKind kind_, const DirectOptions &options_)
-   : Solver(matrix_.Height()), matrix(&matrix_), prescribed(prescribed_),
-     overlap(overlap_), kind(kind_), options(options_), residual(height)
+FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
+                         int overlap_, MatrixKind kind_,
+                         const DirectOptions &options_)
+   : Solver(terms_.at(0)->Height()), terms(std::move(terms_)),
+     prescribed(prescribed_), overlap(overlap_), kind(kind_), options(options_),
+     residual(height)
 {
 }
 
@@ -118,9 +123,7 @@ void FilteredAmg::SetOperator(const Operator &)
    MFEM_ABORT("the filtered multigrid keeps its operator");
 }
 
-Array<int>
-FilteredAmg::Touched(int size,
-                     const std::vector<const HypreParMatrix *> &factors)
+Array<int> FilteredAmg::Touched(int size, const Matrices &factors)
 {
    Array<int> marker(size);
    marker = 0;
@@ -133,17 +136,15 @@ FilteredAmg::Touched(int size,
    return marker;
 }
 
-void FilteredAmg::SetFactors(
-   const std::vector<const HypreParMatrix *> &factors_)
+void FilteredAmg::SetFactors(const Matrices &factors_)
 {
    factors = factors_;
    selected.reset();
 }
 
-void FilteredAmg::Replace(const HypreParMatrix &matrix_,
-                          const std::vector<const HypreParMatrix *> &factors_)
+void FilteredAmg::Replace(Matrices terms_, const Matrices &factors_)
 {
-   matrix = &matrix_;
+   terms = std::move(terms_);
    factors = factors_;
 }
 
@@ -185,7 +186,7 @@ bool FilteredAmg::Select(const Array<int> &needed)
          other = true;
       }
    }
-   return AnyRank(other, matrix->GetComm());
+   return AnyRank(other, terms[0]->GetComm());
 }
 
 void FilteredAmg::Restrict()
@@ -193,7 +194,7 @@ void FilteredAmg::Restrict()
    Array<int> marker(*selected);
    for (int layer = 0; layer < overlap; layer++)
    {
-      MarkNeighbors(*matrix, marker);
+      MarkNeighbors(terms, marker);
       Unmark(prescribed, marker);
    }
    contact_dofs.SetSize(0);
@@ -207,7 +208,7 @@ void FilteredAmg::Restrict()
    contact_solver.reset();
    penalties.reset();
    factors_in_contact.clear();
-   has_contact = AnyRank(contact_dofs.Size() > 0, matrix->GetComm());
+   has_contact = AnyRank(contact_dofs.Size() > 0, terms[0]->GetComm());
    if (!has_contact)
    {
       return;
@@ -216,8 +217,8 @@ void FilteredAmg::Restrict()
    small_correction.SetSize(contact_dofs.Size());
    first.SetSize(contact_dofs.Size());
    const std::unique_ptr<HypreParMatrix> injection =
-      Injection(*matrix, contact_dofs);
-   contact_columns.reset(ParMult(matrix, injection.get(), true));
+      Injection(*terms[0], contact_dofs);
+   contact_columns = Columns(*injection);
    const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
    matrix_in_contact.reset(
       ParMult(restriction.get(), contact_columns.get(), true));
@@ -229,6 +230,18 @@ void FilteredAmg::Restrict()
    {
       factors_in_contact.emplace_back(ParMult(factor, injection.get(), true));
    }
+}
+
+std::unique_ptr<HypreParMatrix>
+FilteredAmg::Columns(const HypreParMatrix &injection) const
+{
+   std::unique_ptr<HypreParMatrix> sum;
+   for (const HypreParMatrix *term : terms)
+   {
+      AddTo(sum,
+            std::unique_ptr<HypreParMatrix>(ParMult(term, &injection, true)));
+   }
+   return sum;
 }
 
 bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,

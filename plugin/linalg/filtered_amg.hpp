@@ -11,8 +11,8 @@ namespace synovia
 
 /// Approximate inverse of A + sum F^T W F that seldom rebuilds its hierarchy.
 ///
-/// A is a matrix that suits multigrid, F the gap or jump operator of a contact
-/// pair, W its weights, the penalties. One V-cycle of BoomerAMG, whose
+/// A, a sum of matrices, suits multigrid; F the gap or jump operator of a
+/// contact pair, W its weights, the penalties. One V-cycle of BoomerAMG, whose
 /// hierarchy is that of A or of a matrix near to the whole that suits multigrid
 /// as well, stands between two exact solves on the dofs of the rows that have a
 /// weight: filter, V-cycle, filter, with the residual updated in between. So
@@ -24,14 +24,16 @@ namespace synovia
 class FilteredAmg : public mfem::Solver
 {
 public:
-   /// Borrows @a matrix, A, whose rows and columns of the @a prescribed true
-   /// dofs, ascending, don't count: those have unit rows in the inverse.
+   using Matrices = std::vector<const mfem::HypreParMatrix *>;
+
+   /// Borrows @a terms, whose sum is A, at least one; their rows and columns of
+   /// the @a prescribed true dofs, ascending, don't count: those have unit rows
+   /// in the inverse.
    /// Solves exactly for @a overlap layers of dofs around those of the rows
    /// that have a weight, too, with a direct solver that has @a options, for
    /// matrices of this @a kind.
-   FilteredAmg(const mfem::HypreParMatrix &matrix,
-               const mfem::Array<int> &prescribed, int overlap, MatrixKind kind,
-               const DirectOptions &options);
+   FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed, int overlap,
+               MatrixKind kind, const DirectOptions &options);
 
    /// Takes @a amg, with its options but without an operator, and builds its
    /// hierarchy on @a alike, which has unit rows and columns for the prescribed
@@ -42,12 +44,11 @@ public:
    void ClearHierarchy();
    /// Borrows the contact operators F, rows x true dofs, until the next call.
    /// Their columns at prescribed dofs don't count. SetWeights() must follow.
-   void SetFactors(const std::vector<const mfem::HypreParMatrix *> &factors);
-   /// Replaces A and the factors, borrowed, by others that differ little:
-   /// hierarchy and factorization stay in use until the dofs to solve for
-   /// exactly change.
-   void Replace(const mfem::HypreParMatrix &matrix,
-                const std::vector<const mfem::HypreParMatrix *> &factors);
+   void SetFactors(const Matrices &factors);
+   /// Replaces A's terms and the factors, borrowed, by others that differ
+   /// little: hierarchy and factorization stay in use until the dofs to solve
+   /// for exactly change.
+   void Replace(Matrices terms, const Matrices &factors);
    /// Sets dofs, ascending and among those that Touched() gives for the
    /// factors, that are treated as if they were prescribed, although they are
    /// free in the hierarchy. SetWeights() must follow.
@@ -61,8 +62,7 @@ public:
 
    /// 1 for the dofs, @a size on this rank, in which a factor has entries, 0
    /// elsewhere. Collective.
-   static mfem::Array<int>
-   Touched(int size, const std::vector<const mfem::HypreParMatrix *> &factors);
+   static mfem::Array<int> Touched(int size, const Matrices &factors);
 
    void SetOperator(const mfem::Operator &) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
@@ -77,9 +77,12 @@ private:
    bool Select(const mfem::Array<int> &needed);
    /// Restricts matrix and factors to the selected dofs and their neighbors.
    void Restrict();
+   /// The columns of A that @a injection, dofs x some of them, picks.
+   std::unique_ptr<mfem::HypreParMatrix>
+   Columns(const mfem::HypreParMatrix &injection) const;
    void HoldContact(mfem::HypreParMatrix &in_contact);
 
-   const mfem::HypreParMatrix *matrix;
+   Matrices terms;
    mfem::Array<int> prescribed;
    int overlap;
    MatrixKind kind;
@@ -87,7 +90,7 @@ private:
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
-   std::vector<const mfem::HypreParMatrix *> factors;
+   Matrices factors;
    /// 1 for the dofs to solve for exactly, but for their neighbors; unset after
    /// a change of factors or hierarchy.
    std::optional<mfem::Array<int>> selected;

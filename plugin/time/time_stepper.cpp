@@ -108,7 +108,6 @@ StepLimits Limits(const TimeOptions &options)
 TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
    : op(problem.Operator()), options(Checked(options_)), recorder(op),
      solver(MakeSolver(options.scheme)),
-     norm(op.Equations().Bodies().Tangent(), problem.Spaces().Offsets()),
      control(Limits(options), op.Options().tuning.steps),
      same_time(std::max(same_part *
                            (options.adaptive ? options.min_step : options.step),
@@ -117,6 +116,11 @@ TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
      displacement(&problem.Spaces().Displacement()),
      pressure(&problem.Spaces().Pressure())
 {
+   if (options.adaptive)
+   {
+      norm.emplace(op.Equations().Bodies().Tangent(),
+                   problem.Spaces().Offsets());
+   }
    SetStops(problem.Conditions().Corners());
    state = 0.0;
    state.GetBlock(0) = op.Start().displacement;
@@ -251,8 +255,8 @@ bool TimeStepper::Advance(real_t dt, Attempt &result)
    }
    Vector error =
       EstimateError(options.scheme, recorder, dt, {op.AcceptedRate(), last_dt});
-   largest = std::max(largest, norm(result.state));
-   result.step.error = largest > 0.0 ? norm(error) / largest : 0.0;
+   largest = std::max(largest, (*norm)(result.state));
+   result.step.error = largest > 0.0 ? (*norm)(error) / largest : 0.0;
    result.step.order = EstimateOrder(options.scheme);
    result.last_dt = dt;
    return true;
@@ -266,7 +270,7 @@ bool TimeStepper::AdvanceInHalves(real_t dt, Attempt &result)
    {
       return false;
    }
-   largest = std::max(largest, norm(single));
+   largest = std::max(largest, (*norm)(single));
    op.RejectStep();
    Solve(time, 0.5 * dt, result.state);
    Solve(time + 0.5 * dt, 0.5 * dt, result.state);
@@ -274,13 +278,13 @@ bool TimeStepper::AdvanceInHalves(real_t dt, Attempt &result)
    {
       return false;
    }
-   largest = std::max(largest, norm(result.state));
+   largest = std::max(largest, (*norm)(result.state));
    // If a single step of a scheme of order n has the error e, two halves have
    // 2^-n e.
    const int n = Order(options.scheme);
    single -= result.state;
    single *= 1.0 / (std::pow(2.0, n) - 1.0);
-   result.step.error = largest > 0.0 ? norm(single) / largest : 0.0;
+   result.step.error = largest > 0.0 ? (*norm)(single) / largest : 0.0;
    result.step.order = n + 1;
    result.last_dt = 0.5 * dt;
    return true;

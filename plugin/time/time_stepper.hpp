@@ -5,6 +5,7 @@
 #include "synovia/time/step_error.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -139,7 +140,8 @@ private:
    TimeOptions options;
    StageRecorder recorder;
    std::unique_ptr<mfem::ODESolver> solver;
-   EnergyNorm norm;
+   /// Of adaptive steps.
+   std::optional<EnergyNorm> norm;
    StepControl control;
    /// Times that differ by less are the same.
    mfem::real_t same_time;
