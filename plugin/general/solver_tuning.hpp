@@ -128,8 +128,8 @@ struct FactorizationTuning
    mfem::real_t compression = 1e-4;
    int compress_above = 50000;
    /// Whether unsymmetric matrices are factorized in single precision, if MUMPS
-   /// was built for it: half the time and memory; after a system that fresh
-   /// factors don't solve, all are factorized in double precision.
+   /// was built for it: half the time and memory. A system that fresh factors
+   /// don't solve ends compression for good, and the next single precision.
    bool single_precision = true;
    /// Time steps within this factor of the one factorized for use its factors.
    /// Larger: fewer factorizations, more iterations.

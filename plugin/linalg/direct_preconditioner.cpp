@@ -342,6 +342,26 @@ int DirectPreconditioner::Patience() const
                 : std::min(renew_after, stale + fresh_iterations - 1);
 }
 
+bool DirectPreconditioner::RefineFactors()
+{
+   // Blocks of low rank are the coarser approximation.
+   if (options.compression > 0.0)
+   {
+      options.compression = 0.0;
+      tuning.compression = 0.0;
+   }
+   else if (options.single_precision)
+   {
+      tuning.single_precision = false;
+   }
+   else
+   {
+      return false;
+   }
+   factors.reset();
+   return true;
+}
+
 bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 {
    const real_t decades = std::max(1.0, -std::log10(attempt.reduction));
@@ -353,13 +373,7 @@ bool DirectPreconditioner::Report(const SolveAttempt &attempt)
    const real_t usual =
       std::max(1.0, fresh_iterations * decades / fresh_decades);
    extra_solves += std::max(0.0, attempt.iterations - usual);
-   const bool too_coarse =
-      !attempt.converged && fresh && options.single_precision;
-   if (too_coarse)
-   {
-      tuning.single_precision = false;
-      factors.reset();
-   }
+   const bool too_coarse = !attempt.converged && fresh && RefineFactors();
    const bool again = !attempt.converged && (!fresh || too_coarse);
    outdated = again || extra_solves >= renew_after;
    return again;

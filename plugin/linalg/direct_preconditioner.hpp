@@ -60,6 +60,9 @@ private:
    std::vector<Change> FindChanges() const;
    /// Of the first factorization.
    void ChoosePrecision();
+   /// Has factors made that approximate the matrix better; false if there are
+   /// none.
+   bool RefineFactors();
    void Factorize();
    /// Updates the factors by columns; false if that would cost more than a
    /// factorization.

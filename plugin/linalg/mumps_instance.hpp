@@ -34,7 +34,9 @@ enum class MumpsStatus
    small_workspace = -9,
    singular = -10,
    no_memory = -13,
+   small_send_buffer = -17,
    small_memory_limit = -19,
+   small_receive_buffer = -20,
    not_positive_definite = -40
 };
 

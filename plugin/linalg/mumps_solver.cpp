@@ -107,6 +107,8 @@ bool MumpsSolver<Number>::Factorize()
       const MumpsStatus why = instance->Status();
       const bool margin_helps =
          why == MumpsStatus::small_index_workspace ||
+         why == MumpsStatus::small_send_buffer ||
+         why == MumpsStatus::small_receive_buffer ||
          (why == MumpsStatus::small_workspace && options.memory_limit == 0);
       if (!margin_helps || instance->WorkspaceMargin() >= most_margin)
       {

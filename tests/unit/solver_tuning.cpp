@@ -87,14 +87,20 @@ struct Run
    real_t sealed_source = 0.0;
 };
 
-Run RunCase(const std::vector<std::string> &settings)
+BoxOptions LowerBox(int cells)
+{
+   BoxOptions box;
+   box.nx = cells;
+   box.ny = cells;
+   box.size_x = 1.2;
+   box.size_y = 1.2;
+   return box;
+}
+
+Run RunCase(const std::vector<std::string> &settings,
+            const BoxOptions &lower = LowerBox(3))
 {
    const CaseFile setup = Parsed(settings);
-   BoxOptions lower;
-   lower.nx = 3;
-   lower.ny = 3;
-   lower.size_x = 1.2;
-   lower.size_y = 1.2;
    NamedMesh mesh = MakeStack(lower, BoxOptions());
    CaseProblem problem(setup, mesh);
    TimeStepper stepper(problem.Get(), setup.time);
@@ -248,6 +254,23 @@ TEST_CASE("Tuning reaches the factorization, and the choice of the method")
    tuning.stiff_fibers = 600.0;
    CHECK(ChooseMethod(options, 2000, fibers, tuning) ==
          LinearMethod::block_amg);
+}
+
+TEST_CASE("Factors that are too coarse are given up for better ones")
+{
+   const std::vector<std::string> direct = {
+      "physics.deformation=\"finite\"",
+      "material.0.solid={model=\"neo_hookean\", E=0.5, nu=0.1}",
+      "solver.linear=\"direct\"", "time.end=1"};
+   std::vector<std::string> coarse(direct);
+   coarse.push_back("solver.tuning.factorization.compress_above=0");
+   coarse.push_back("solver.tuning.factorization.compression=0.9");
+   BoxOptions box = LowerBox(16);
+   box.nz = 6;
+   const Run standard = RunCase(direct, box);
+   const Run refined = RunCase(coarse, box);
+   CAPTURE(standard.work.factorizations, refined.work.factorizations);
+   CHECK(refined.work.factorizations > standard.work.factorizations);
 }
 
 TEST_CASE("Tuning reaches multigrid")
