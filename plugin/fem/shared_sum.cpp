@@ -127,6 +127,7 @@ Memory<T> Copied(const std::vector<T> &values)
    std::copy(values.begin(), values.end(), static_cast<T *>(copy));
    return copy;
 }
+
 Memory<real_t> Zeros(std::size_t size)
 {
    Memory<real_t> zeros(static_cast<int>(size));
