@@ -11,6 +11,9 @@ from dataclasses import dataclass, field
 import gmsh
 import numpy as np
 
+# gmsh's types of first order.
+TRIANGLE, PRISM = 2, 6
+
 
 @dataclass
 class Body:

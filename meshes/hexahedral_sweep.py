@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gmsh_bodies import Body
+from gmsh_bodies import PRISM, Body
 from lagrange_element import (
     HEXAHEDRON, HEXAHEDRON_NODES, QUADRANGLE, QUADRANGLE_NODES, turned_over)
 from quad_plane import QuadMesh
@@ -46,14 +46,15 @@ def _surface(prefix: str, side: str) -> str:
 
 
 def _elements(body: Body, parts: list, dim: int) -> np.ndarray:
-    """Nodes of the elements, m x nodes x 3."""
-    (kind, nodes), = parts
-    order = 1 if kind in (QUADRANGLE[1], HEXAHEDRON[1]) else 2
+    """Nodes of the quadrangles or hexahedra, m x nodes x 3."""
+    kinds = QUADRANGLE if dim == 2 else HEXAHEDRON
+    (order, nodes), = [(order, nodes) for kind, nodes in parts
+                       for order in kinds if kinds[order] == kind]
     return body.points[nodes.reshape(-1, (order + 1)**dim) - 1]
 
 
 def quads_of(body: Body, surface: str) -> np.ndarray:
-    """Nodes of a surface's quadrangles, m x 4 or 9 x 3."""
+    """Nodes of a surface's quadrangles, m x 4 or 9 x 3, without triangles."""
     return _elements(body, body.surfaces[surface], 2)
 
 
@@ -62,15 +63,26 @@ def hexahedra_of(body: Body) -> np.ndarray:
     return _elements(body, body.volume, 3)
 
 
-_CORNERS = np.array([(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
-                     (4, 7, 5, 0), (5, 4, 6, 1), (6, 5, 7, 2), (7, 6, 4, 3)])
+def prisms_of(body: Body) -> np.ndarray:
+    """Nodes of the prisms of first order, m x 6 x 3."""
+    parts = [nodes for kind, nodes in body.volume if kind == PRISM]
+    nodes = np.concatenate([np.empty(0, dtype=np.int64), *parts])
+    return body.points[nodes.reshape(-1, 6) - 1]
 
 
-def scaled_jacobian(body: Body) -> np.ndarray:
-    """The smallest of each element's corners, from them alone: 1 for a cube."""
-    x = hexahedra_of(body)
+_HEXAHEDRAL_CORNERS = [(0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7),
+                       (4, 7, 5, 0), (5, 4, 6, 1), (6, 5, 7, 2), (7, 6, 4, 3)]
+_PRISMATIC_CORNERS = [(0, 1, 2, 3), (1, 2, 0, 4), (2, 0, 1, 5),
+                      (3, 5, 4, 0), (4, 3, 5, 1), (5, 4, 3, 2)]
+
+
+def scaled_jacobian(x: np.ndarray) -> np.ndarray:
+    """The smallest of each element's corners, from them alone: 1 for a cube,
+    0.87 for a prism of equal sides. x are nodes of hexahedra or prisms.
+    """
     worst = np.full(len(x), np.inf)
-    for corner, *neighbors in _CORNERS:
+    corners = _PRISMATIC_CORNERS if x.shape[1] == 6 else _HEXAHEDRAL_CORNERS
+    for corner, *neighbors in corners:
         edges = x[:, neighbors] - x[:, [corner]]
         size = np.prod(np.linalg.norm(edges, axis=2), axis=1)
         worst = np.minimum(worst, np.linalg.det(edges) / size)

@@ -6,7 +6,8 @@ import numpy as np
 
 import surface_gap
 from gmsh_bodies import Body
-from hexahedral_sweep import hexahedra_of, quads_of, scaled_jacobian
+from hexahedral_sweep import (
+    hexahedra_of, prisms_of, quads_of, scaled_jacobian)
 from knee_joint import FEMUR, MENISCUS, SIDES, TIBIA, Knee
 from lagrange_element import middle
 
@@ -14,10 +15,11 @@ MIN_SCALED_JACOBIAN = 0.2
 
 
 def check_quality(bodies: dict[str, Body]) -> None:
-    for name, body in bodies.items():
-        quality = scaled_jacobian(body)
-        if quality.min() < MIN_SCALED_JACOBIAN:
-            x = hexahedra_of(body)[np.argmin(quality)]
+    for name, x in [(name, elements) for name, body in bodies.items()
+                    for elements in (hexahedra_of(body), prisms_of(body))]:
+        quality = scaled_jacobian(x)
+        if quality.min(initial=1.0) < MIN_SCALED_JACOBIAN:
+            x = x[np.argmin(quality)]
             place = ", ".join(f"{c:.1f}" for c in x.mean(axis=0))
             raise ValueError(
                 f"an element of {name} at ({place}) has a scaled Jacobian of "

@@ -16,7 +16,6 @@ from dataclasses import dataclass
 import numpy as np
 
 import mesh_script
-import meniscus_tip
 import meniscus_wedge
 import surface_gap
 from cartilage_layer import Layer
@@ -83,8 +82,8 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
                         help="of the menisci: upright, or normal to both of "
                              "their surfaces, with smaller elements beside it, "
                              "or such a one with a rounded edge in front of "
-                             "it, for finite deformation (default "
-                             "%(default)s)")
+                             "it, of hexahedra or a fan of prisms, for finite "
+                             "deformation (default %(default)s)")
     mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
 
@@ -146,10 +145,10 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
 def meniscus_body(mesh: QuadMesh, columns: np.ndarray, name: str,
                   face: InnerFace) -> Body:
     wedge = sweep(mesh, columns, "inferior", "superior", name)
-    if not face.rounded:
+    if not face.tip:
         return wedge
-    return meniscus_tip.add_tip(
-        wedge, meniscus_wedge.rows(mesh, columns), mesh.order, name)
+    return face.tip(wedge, meniscus_wedge.rows(mesh, columns), mesh.order,
+                    name)
 
 
 def settle(columns: np.ndarray, name: str, body: Callable[[], Body],

@@ -9,7 +9,7 @@ import gmsh_bodies
 import knee_checks
 import knee_joint
 import mesh_script
-from hexahedral_sweep import hexahedra_of
+from hexahedral_sweep import hexahedra_of, prisms_of
 from knee_joint import Anatomy
 
 
@@ -30,8 +30,13 @@ def write(script: str, args: argparse.Namespace,
         toml = knee_joint.frame_lines(knee)
         with open(frames, "w", encoding="utf-8") as file:
             file.write("\n".join([f"# {line}" for line in lines] + toml) + "\n")
-        count = sum(len(hexahedra_of(body)) for body in knee.bodies.values())
-        for line in [*lines, f"{count} hexahedra", *report, *toml]:
+        hexahedra, prisms = (
+            sum(len(elements(body)) for body in knee.bodies.values())
+            for elements in (hexahedra_of, prisms_of))
+        count = f"{hexahedra} hexahedra"
+        if prisms:
+            count += f" and {prisms} prisms"
+        for line in [*lines, count, *report, *toml]:
             print(line)
         return knee_joint.REGIONS
 

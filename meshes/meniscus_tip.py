@@ -50,7 +50,7 @@ def add_tip(body: Body, rows: np.ndarray, order: int, prefix: str) -> Body:
 
     points = np.concatenate([body.points,
                              np.zeros((layer.max() + 1 - len(body.points), 3))])
-    points[layer[:, -1]] = _outline(points, rows, around)
+    points[layer[:, -1]] = outline(points, rows, around)
     _fill(points, [block, layer], len(body.points), layer[:, -1].ravel())
     kind, wedge = body.volume[0]
     tip = np.concatenate([_hexahedra(nodes, order, points)
@@ -69,8 +69,10 @@ def add_tip(body: Body, rows: np.ndarray, order: int, prefix: str) -> Body:
                 surfaces)
 
 
-def _outline(points: np.ndarray, rows: np.ndarray, around: int) -> np.ndarray:
-    """Curves that leave the lower and the upper surface smoothly."""
+def outline(points: np.ndarray, rows: np.ndarray, around: int) -> np.ndarray:
+    """Points of curves that leave the lower and the upper surface smoothly, a
+    row a section, around pieces each.
+    """
     low, high = points[rows[:, 0, 0]], points[rows[:, 0, -1]]
     leaving = []
     for side in (0, -1):
@@ -90,7 +92,7 @@ def _outline(points: np.ndarray, rows: np.ndarray, around: int) -> np.ndarray:
 
 
 def _fill(points: np.ndarray, parts: list[np.ndarray], first: int,
-          outline: np.ndarray) -> None:
+          edge: np.ndarray) -> None:
     """Each new node within an outline goes to the middle of its neighbors."""
     section = [part[0] for part in parts]
     links = np.concatenate([np.stack([a.ravel(), b.ravel()], axis=1)
@@ -108,7 +110,7 @@ def _fill(points: np.ndarray, parts: list[np.ndarray], first: int,
     np.add.at(laplacian, (numbers[:, 0], numbers[:, 1]), -1.0)
     np.add.at(laplacian, (numbers[:, 1], numbers[:, 0]), -1.0)
     laplacian -= np.diag(laplacian.sum(axis=1))
-    free = (nodes >= first) & ~np.isin(nodes, outline)
+    free = (nodes >= first) & ~np.isin(nodes, edge)
     known = points[every[:, ~free]]
     points[every[:, free]] = np.linalg.solve(
         laplacian[np.ix_(free, free)],

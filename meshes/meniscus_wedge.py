@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,9 @@ from scipy.interpolate import interp1d
 from scipy.spatial import cKDTree
 
 from cartilage_layer import Height, Layer
+from gmsh_bodies import Body
+from meniscus_fan import add_fan
+from meniscus_tip import add_tip
 from quad_plane import QuadMesh, join, patch, relax, resample
 from smooth_height import SmoothHeight
 
@@ -37,16 +41,18 @@ class InnerFace:
     one is free and the other slides along its neighbor, and leans over the more
     the wedge is pressed flat, until it lies on the tibia.
     first: width of the elements there over that of all on average.
-    rounded: whether a rounded edge goes on from there, see meniscus_tip.
+    tip: adds the rounded edge that goes on from there, if any: of hexahedra,
+    see meniscus_tip, or of prisms, see meniscus_fan.
     """
 
     lean: float
     first: float
-    rounded: bool = False
+    tip: Callable[[Body, np.ndarray, int, str], Body] | None = None
 
 
 INNER_FACES = {"upright": InnerFace(0.0, 1.0), "normal": InnerFace(1.0, 0.5),
-               "round": InnerFace(1.0, 0.7, True)}
+               "round": InnerFace(1.0, 0.7, add_tip),
+               "fan": InnerFace(1.0, 0.7, add_fan)}
 
 
 @dataclass
