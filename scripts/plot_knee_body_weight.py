@@ -146,6 +146,10 @@ def against_time(axes: plt.Axes, knee: Knee, label: str) -> None:
     axes.axvline(LOADED, color=style.GRAY, linewidth=0.7,
                  linestyle=(0, (1, 2)))
     axes.set_xscale("log")
+    if knee.history["t"][-1] < 10 * knee.history["t"][0]:
+        # Powers of ten would stand upon each other.
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.xaxis.set_minor_formatter("{x:g}")
     axes.set(xlabel="time (s)", ylabel=label, ylim=(0, None),
              xlim=(knee.history["t"][0], knee.history["t"][-1]))
 
