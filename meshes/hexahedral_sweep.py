@@ -48,8 +48,8 @@ def _surface(prefix: str, side: str) -> str:
 def _elements(body: Body, parts: list, dim: int) -> np.ndarray:
     """Nodes of the quadrangles or hexahedra, m x nodes x 3."""
     kinds = QUADRANGLE if dim == 2 else HEXAHEDRON
-    (order, nodes), = [(order, nodes) for kind, nodes in parts
-                       for order in kinds if kinds[order] == kind]
+    (kind, nodes), = [part for part in parts if part[0] in kinds.values()]
+    order = 1 if kind == kinds[1] else 2
     return body.points[nodes.reshape(-1, (order + 1)**dim) - 1]
 
 

@@ -39,10 +39,10 @@ import mesh_script
 import numpy as np
 
 import gmsh_bodies
-from gmsh_bodies import Body
+from gmsh_bodies import PRISM, TRIANGLE, Body
 from indentation import graded
 
-TRIANGLE, QUADRANGLE, HEXAHEDRON, PRISM = 2, 3, 5, 6    # gmsh's types
+QUADRANGLE, HEXAHEDRON = 3, 5   # gmsh's types
 REGIONS = {"cartilage": 1, "indenter": 2}
 SURFACES = {"bone": 1, "punch": 2, "top": 3, "side": 4, "symmetry_y": 5,
             "symmetry_turned": 6, "indenter_bottom": 7, "indenter_top": 8,

@@ -15,8 +15,9 @@ MIN_SCALED_JACOBIAN = 0.2
 
 
 def check_quality(bodies: dict[str, Body]) -> None:
-    for name, x in [(name, elements) for name, body in bodies.items()
-                    for elements in (hexahedra_of(body), prisms_of(body))]:
+    elements = [(name, of(body)) for name, body in bodies.items()
+                for of in (hexahedra_of, prisms_of)]
+    for name, x in elements:
         quality = scaled_jacobian(x)
         if quality.min(initial=1.0) < MIN_SCALED_JACOBIAN:
             x = x[np.argmin(quality)]

@@ -56,22 +56,13 @@ LocalMatrix::LocalMatrix(ParFiniteElementSpace &row_space_,
    {
       PutDiagonalFirst();
    }
+   Clear();
    if (row_space.GetNRanks() > 1 && row_space.Conforming() &&
        column_space.Conforming())
    {
-      Allocate();
       shared_sum =
          std::make_unique<SharedSum>(row_space, column_space, *matrix);
    }
-   Clear();
-}
-
-void LocalMatrix::Allocate()
-{
-   entries.resize(sparsity.Entries());
-   matrix = std::make_unique<SparseMatrix>(
-      sparsity.Begins(), sparsity.Columns(), entries.data(),
-      row_space.GetVSize(), column_space.GetVSize(), false, false, false);
 }
 
 void LocalMatrix::FindPlaces()
@@ -114,15 +105,17 @@ void LocalMatrix::FindPlaces()
 
 void LocalMatrix::Clear()
 {
-   Allocate();
    if (constant_part.empty())
    {
-      std::fill(entries.begin(), entries.end(), 0.0);
+      entries.assign(sparsity.Entries(), 0.0);
    }
    else
    {
-      std::copy(constant_part.begin(), constant_part.end(), entries.begin());
+      entries.assign(constant_part.begin(), constant_part.end());
    }
+   matrix = std::make_unique<SparseMatrix>(
+      sparsity.Begins(), sparsity.Columns(), entries.data(),
+      row_space.GetVSize(), column_space.GetVSize(), false, false, false);
 }
 
 void LocalMatrix::PutDiagonalFirst()

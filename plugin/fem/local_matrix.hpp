@@ -60,8 +60,6 @@ public:
    std::unique_ptr<mfem::HypreParMatrix> Sum();
 
 private:
-   /// Makes room for entries.
-   void Allocate();
    void PutDiagonalFirst();
    void FindPlaces();
 
