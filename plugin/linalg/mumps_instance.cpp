@@ -22,6 +22,7 @@ namespace
 constexpr int error_stream = 1;
 constexpr int warning_stream = 2;
 constexpr int summary_stream = 3;
+constexpr int ordering = 7;
 constexpr int workspace_margin = 14;
 constexpr int matrix_input = 18;
 constexpr int right_side_input = 20;
@@ -33,6 +34,7 @@ constexpr int low_rank_accuracy = 7;
 constexpr int status = 1;
 constexpr int detail = 2;
 constexpr int estimated_memory = 16;
+constexpr int estimated_operations = 1;
 
 constexpr MUMPS_INT unsymmetric = 0;
 constexpr MUMPS_INT spd = 1;
@@ -41,6 +43,8 @@ constexpr MUMPS_INT distributed_entries = 3;
 constexpr MUMPS_INT distributed_right_side = 10;
 constexpr MUMPS_INT distributed_solution = 1;
 constexpr MUMPS_INT compressed_factors = 2;
+constexpr MUMPS_INT given_ordering = 1;
+constexpr MUMPS_INT chosen_ordering = 7;
 
 MUMPS_INT Symmetry(MatrixKind kind)
 {
@@ -102,6 +106,38 @@ bool MumpsInstance<Number>::Run(MumpsJob job)
    data.job = static_cast<MUMPS_INT>(job);
    Call(data);
    return data.infog[status - 1] >= 0;
+}
+
+template <typename Number>
+bool MumpsInstance<Number>::Analyze()
+{
+   data.icntl[ordering - 1] = chosen_ordering;
+   return Run(MumpsJob::analyze);
+}
+
+template <typename Number>
+bool MumpsInstance<Number>::AnalyzeWith(std::vector<MUMPS_INT> &positions)
+{
+   data.icntl[ordering - 1] = given_ordering;
+   data.perm_in = positions.data();
+   const bool analyzed = Run(MumpsJob::analyze);
+   data.perm_in = nullptr;
+   return analyzed;
+}
+
+template <typename Number>
+std::vector<MUMPS_INT> MumpsInstance<Number>::Positions() const
+{
+   // Known on the root only.
+   return data.sym_perm
+             ? std::vector<MUMPS_INT>(data.sym_perm, data.sym_perm + data.n)
+             : std::vector<MUMPS_INT>();
+}
+
+template <typename Number>
+double MumpsInstance<Number>::Operations() const
+{
+   return data.rinfog[estimated_operations - 1];
 }
 
 template <typename Number>

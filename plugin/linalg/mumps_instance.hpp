@@ -10,6 +10,7 @@
 #endif
 
 #include <string>
+#include <vector>
 
 namespace synovia
 {
@@ -69,6 +70,15 @@ public:
 
    /// Whether the job succeeded, on all ranks alike.
    bool Run(MumpsJob job);
+   /// Analyzes the matrix with an ordering of MUMPS' choice, or with
+   /// @a positions, which are read on the root, of an ordering of a like
+   /// matrix; says what Run() says.
+   bool Analyze();
+   bool AnalyzeWith(std::vector<MUMPS_INT> &positions);
+   /// Of an analyzed matrix: positions of its unknowns in the order of
+   /// elimination, on the root, and how many operations that takes.
+   std::vector<MUMPS_INT> Positions() const;
+   double Operations() const;
    /// Of the last job, if it failed.
    MumpsStatus Status() const;
    /// Says why the last job failed: @a task is what could not be done.

@@ -82,7 +82,7 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    instance->data.irn_loc = entries.rows.data();
    instance->data.jcn_loc = entries.columns.data();
    instance->data.a_loc = entries.values.data();
-   if (reorder && !instance->Run(MumpsJob::analyze))
+   if (reorder && !Analyze())
    {
       Fail("order the matrix");
    }
@@ -94,6 +94,32 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    std::iota(right_side_rows.begin(), right_side_rows.end(),
              static_cast<int>(first_row) + 1);
    solution_rows.resize(instance->SolutionSize());
+}
+
+template <typename Number>
+bool MumpsSolver<Number>::Analyze()
+{
+   // Where contact slides on, patterns differ little, and an ordering takes
+   // longer than what a slightly worse one costs.
+   constexpr double most_growth = 1.3;
+   const int rows = instance->data.n;
+   if (ordering.rows == rows)
+   {
+      if (!instance->AnalyzeWith(ordering.positions))
+      {
+         return false;
+      }
+      if (instance->Operations() <= most_growth * ordering.operations)
+      {
+         return true;
+      }
+   }
+   if (!instance->Analyze())
+   {
+      return false;
+   }
+   ordering = {instance->Positions(), instance->Operations(), rows};
+   return true;
 }
 
 template <typename Number>

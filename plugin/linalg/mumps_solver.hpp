@@ -28,14 +28,25 @@ public:
    /// Collective.
    ~MumpsSolver() override;
 
-   /// Factorizes a HypreParMatrix; orders anew only if its sparsity pattern
-   /// differs from the last one's. Collective, as solves are.
+   /// Factorizes a HypreParMatrix. Another sparsity pattern than the last one's
+   /// is ordered anew only if the ordering that there is would take many more
+   /// operations. Collective, as solves are.
    void SetOperator(const mfem::Operator &op) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
    void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
                   mfem::Array<mfem::Vector *> &y) const override;
 
 private:
+   /// An ordering that MUMPS found.
+   struct Ordering
+   {
+      /// As MumpsInstance has them.
+      std::vector<int> positions;
+      double operations = 0.0;
+      int rows = 0;
+   };
+
+   bool Analyze();
    /// False if it fails for good.
    bool Factorize();
    /// Throws why, and forgets the factors.
@@ -46,6 +57,7 @@ private:
    DirectOptions options;
    std::unique_ptr<MumpsInstance<Number>> instance;
    std::uint64_t pattern = 0;
+   Ordering ordering;
    HYPRE_BigInt first_row = 0;
    /// Rows as MUMPS counts, from 1: of right sides, and of solutions where it
    /// leaves them.

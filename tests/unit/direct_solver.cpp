@@ -4,6 +4,7 @@
 // tests are also built without MUMPS, and without UMFPACK.
 
 #include "synovia/linalg/direct_solver.hpp"
+#include "synovia/general/parallel_triplets.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -149,6 +150,46 @@ TEST_CASE("A direct solver takes matrices with the same entries and others")
             const auto matrix = MakeMatrix(mesh, order, factor);
             solver->SetOperator(*matrix);
             CHECK(Residual(*solver, *matrix) < 1e-12);
+            solved++;
+         }
+      }
+   }
+   CHECK(solved == 9 * static_cast<int>(Libraries().size()));
+}
+
+TEST_CASE("A direct solver takes matrices of one size with other entries")
+{
+   ParMesh mesh = Cube(5);
+   const std::unique_ptr<HypreParMatrix> first = MakeMatrix(mesh, 1, 100.0);
+   REQUIRE(first->Height() > 0);
+   // A few couplings more, as contact has where it slides, and many more.
+   const HYPRE_BigInt rows = first->GetGlobalNumRows();
+   std::vector<Triplet> links;
+   for (HYPRE_BigInt i = first->RowPart()[0]; i < first->RowPart()[1]; i += 20)
+   {
+      const HYPRE_BigInt other = (i + rows / 2) % rows;
+      links.push_back({i, other, 1e-4});
+      links.push_back({other, i, 1e-4});
+   }
+   const auto linked = AssembleTriplets(MPI_COMM_WORLD, links, first->RowPart(),
+                                        rows, first->RowPart(), rows);
+   const std::unique_ptr<HypreParMatrix> few(Add(1.0, *first, 1.0, *linked));
+   const std::unique_ptr<HypreParMatrix> many(
+      ParMult(first.get(), first.get(), true));
+   REQUIRE(few->NNZ() > first->NNZ());
+   REQUIRE(many->NNZ() > 2 * first->NNZ());
+   int solved = 0;
+   for (const DirectLibrary library : Libraries())
+   {
+      for (const MatrixKind kind : {MatrixKind::positive_definite,
+                                    MatrixKind::symmetric, MatrixKind::general})
+      {
+         const std::unique_ptr<Solver> solver =
+            MakeDirectSolver(*first, kind, Options(library));
+         for (const auto *matrix : {&few, &many, &first})
+         {
+            solver->SetOperator(**matrix);
+            CHECK(Residual(*solver, **matrix) < 1e-12);
             solved++;
          }
       }
