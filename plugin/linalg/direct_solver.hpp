@@ -58,10 +58,9 @@ void VerifyDirectLibrary(DirectLibrary library, MPI_Comm comm);
 
 /// A direct factorization of a distributed matrix. A rank may own no rows.
 /// SetOperator() of the result, collective, takes another HypreParMatrix of the
-/// kind, factorizes it in place of the one before, and keeps the ordering if
-/// its entries are at the same places. It throws FactorizationError, as
-/// solves do, after which another matrix may be tried. Throws what
-/// VerifyDirectLibrary() throws, too.
+/// kind, factorizes it in place of the one before, and keeps the ordering as
+/// long as that serves. It throws FactorizationError, as solves do, after which
+/// another matrix may be tried. Throws what VerifyDirectLibrary() throws, too.
 std::unique_ptr<mfem::Solver>
 MakeDirectSolver(const mfem::HypreParMatrix &matrix, MatrixKind kind,
                  const DirectOptions &options = DirectOptions());
