@@ -95,6 +95,32 @@ DirectOptions Options(DirectLibrary library, int memory_limit = 0)
    options.memory_limit = memory_limit;
    return options;
 }
+
+/// Factorizes @a first and then, with the same solver, each of @a others, by
+/// each library and for each kind of matrix.
+void CheckOneByOne(const HypreParMatrix &first,
+                   const std::vector<const HypreParMatrix *> &others)
+{
+   std::size_t solved = 0;
+   for (const DirectLibrary library : Libraries())
+   {
+      for (const MatrixKind kind : {MatrixKind::positive_definite,
+                                    MatrixKind::symmetric, MatrixKind::general})
+      {
+         const std::unique_ptr<Solver> solver =
+            MakeDirectSolver(first, kind, Options(library));
+         CHECK(Residual(*solver, first) < 1e-12);
+         for (const HypreParMatrix *matrix : others)
+         {
+            CAPTURE(matrix->NNZ());
+            solver->SetOperator(*matrix);
+            CHECK(Residual(*solver, *matrix) < 1e-12);
+            solved++;
+         }
+      }
+   }
+   CHECK(solved == 3 * others.size() * Libraries().size());
+}
 } // namespace
 
 TEST_CASE("The libraries say where they work")
@@ -131,30 +157,13 @@ TEST_CASE("The libraries say where they work")
 TEST_CASE("A direct solver takes matrices with the same entries and others")
 {
    ParMesh mesh = Cube(3);
-   const auto first = MakeMatrix(mesh, 1, 1.0);
+   const std::unique_ptr<HypreParMatrix> first = MakeMatrix(mesh, 1, 1.0);
    REQUIRE(first->Height() > 0);
-   int solved = 0;
-   for (const DirectLibrary library : Libraries())
-   {
-      for (const MatrixKind kind : {MatrixKind::positive_definite,
-                                    MatrixKind::symmetric, MatrixKind::general})
-      {
-         const std::unique_ptr<Solver> solver =
-            MakeDirectSolver(*first, kind, Options(library));
-         CHECK(Residual(*solver, *first) < 1e-12);
-         // The same places, then others, then those of the beginning.
-         for (const auto &[order, factor] :
-              {std::pair<int, real_t>{1, 100.0}, {2, 1.0}, {1, 5.0}})
-         {
-            CAPTURE(order, factor);
-            const auto matrix = MakeMatrix(mesh, order, factor);
-            solver->SetOperator(*matrix);
-            CHECK(Residual(*solver, *matrix) < 1e-12);
-            solved++;
-         }
-      }
-   }
-   CHECK(solved == 9 * static_cast<int>(Libraries().size()));
+   // The same places, then others, then those of the beginning.
+   const std::unique_ptr<HypreParMatrix> same = MakeMatrix(mesh, 1, 100.0);
+   const std::unique_ptr<HypreParMatrix> larger = MakeMatrix(mesh, 2, 1.0);
+   const std::unique_ptr<HypreParMatrix> last = MakeMatrix(mesh, 1, 5.0);
+   CheckOneByOne(*first, {same.get(), larger.get(), last.get()});
 }
 
 TEST_CASE("A direct solver takes matrices of one size with other entries")
@@ -178,23 +187,7 @@ TEST_CASE("A direct solver takes matrices of one size with other entries")
       ParMult(first.get(), first.get(), true));
    REQUIRE(few->NNZ() > first->NNZ());
    REQUIRE(many->NNZ() > 2 * first->NNZ());
-   int solved = 0;
-   for (const DirectLibrary library : Libraries())
-   {
-      for (const MatrixKind kind : {MatrixKind::positive_definite,
-                                    MatrixKind::symmetric, MatrixKind::general})
-      {
-         const std::unique_ptr<Solver> solver =
-            MakeDirectSolver(*first, kind, Options(library));
-         for (const auto *matrix : {&few, &many, &first})
-         {
-            solver->SetOperator(**matrix);
-            CHECK(Residual(*solver, **matrix) < 1e-12);
-            solved++;
-         }
-      }
-   }
-   CHECK(solved == 9 * static_cast<int>(Libraries().size()));
+   CheckOneByOne(*first, {few.get(), many.get(), first.get()});
 }
 
 TEST_CASE("Factors in single precision are a preconditioner")
