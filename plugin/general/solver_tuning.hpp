@@ -106,10 +106,10 @@ struct NewtonTuning
    mfem::real_t set_accuracy = 1e-2;
    /// How often contact is searched anew with a change of the active set.
    /// Larger: points near an edge may take the set to and fro with them.
-   int max_early_searches = 3;
+   int max_early_searches = 10;
    /// How often contact is searched anew in one solve because points have moved
    /// on to other faces, once it has converged.
-   int max_searches = 1;
+   int max_searches = 3;
    /// A search is followed by another one if it upset the balance by less than
    /// this part of what the one before it did. Larger: points near an edge may
    /// go back and forth until max_searches.

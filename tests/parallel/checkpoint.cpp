@@ -305,11 +305,10 @@ TEST_CASE(
    setup.slide = 0.2;
    // The resumed run begins from other factors. For them to have no say in what
    // Newton's method ends with, its last iterations are complete and solved to
-   // the end, gaps and jumps are closed, and partners searched for again.
+   // the end, and gaps and jumps are closed.
    setup.tuning.newton.kept_tangent = 0.0;
    setup.tuning.newton.largest_forcing = 1e-6;
    setup.tuning.newton.final_accuracy = 1e-3;
-   setup.tuning.newton.max_searches = 3;
    setup.gap_tolerance = 1e-9;
    setup.pressure_tolerance = 1e-9;
    const TemporaryDirectory directory;
