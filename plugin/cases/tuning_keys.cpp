@@ -29,6 +29,10 @@ KeyTable ContactKeys(ContactTuning &contact)
    Add(keys, "rim_coverage", contact.rim_coverage, NumberRange::From(0.0, 1.0),
        "in finite deformation, a vertex shares the multipliers around "
        "it if less is covered");
+   Add(keys, "bearing_angle", contact.bearing_angle,
+       NumberRange::Inside(0.0, 1e6),
+       "in finite deformation, surfaces that turn away from each other by this "
+       "angle more than elsewhere around a vertex begin to count less (rad)");
    Add(keys, "slow_augmentation", contact.slow_augmentation,
        NumberRange::Inside(0.0, 1.0),
        "part of a gap or jump that may be left without a larger penalty");

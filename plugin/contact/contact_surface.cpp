@@ -110,6 +110,16 @@ void ContactSurface::SetDisplacement(const Vector &u)
    }
 }
 
+void ContactSurface::GetVertexShapes(int face, const IntegrationPoint &ip,
+                                     Vector &shapes) const
+{
+   const FiniteElement &vertices_of_face =
+      *spaces.Multiplier().FEColl()->FiniteElementForGeometry(
+         faces[face].GetGeometry());
+   shapes.SetSize(vertices_of_face.GetDof());
+   vertices_of_face.CalcShape(ip, shapes);
+}
+
 void ContactSurface::Archive(StateArchive &archive, const std::string &name,
                              Vector &values) const
 {

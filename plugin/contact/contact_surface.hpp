@@ -83,6 +83,10 @@ public:
    void Archive(StateArchive &archive, const std::string &name,
                 mfem::Vector &values) const;
 
+   /// The shape functions of the vertices of a face at one of its points.
+   void GetVertexShapes(int face, const mfem::IntegrationPoint &ip,
+                        mfem::Vector &shapes) const;
+
    const std::vector<DeformedFace> &Faces() const { return faces; }
    const SurfaceVertices &Vertices() const { return vertices; }
    BiphasicSpaces &Spaces() const { return spaces; }

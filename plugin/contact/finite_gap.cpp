@@ -1,4 +1,5 @@
 #include "synovia/contact/finite_gap.hpp"
+#include "synovia/contact/bearing_shares.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 #include "synovia/general/reduce.hpp"
@@ -21,21 +22,43 @@ FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
                      const Vector &destination_areas, const GapOptions &options)
    : spaces(destination.Spaces()), pairing(source, destination, options),
-     rim(destination, destination_areas, options.rim_coverage)
+     rim(destination, destination_areas, options.rim_coverage),
+     bearing_angle(options.bearing_angle)
 {
 }
 
 void FiniteGap::Search()
 {
    pairing.Segment();
+   CoverRim();
+   Vector least = LeastAngles(pairing, bearing_angle);
+   rim.Spread(least);
+   pairing.ShareByAngle(least, bearing_angle);
    Assemble();
    AssembleCoverage();
 }
 
 void FiniteGap::Follow()
 {
-   pairing.Follow();
+   if (pairing.Follow())
+   {
+      CoverRim();
+   }
    Assemble();
+}
+
+void FiniteGap::CoverRim()
+{
+   VertexSums covered(pairing.Destination().Vertices());
+   Vector shapes;
+   for (const PairedPoint &point : pairing.Points())
+   {
+      pairing.Destination().GetVertexShapes(point.face, point.ip, shapes);
+      covered.Add(pairing.Destination().Faces()[point.face].Vertices(),
+                  point.area, shapes);
+   }
+   operators.own_area = covered.OverRanks();
+   rim.Update(pairing, operators.own_area);
 }
 
 void FiniteGap::Assemble()
@@ -97,8 +120,6 @@ void FiniteGap::Assemble()
       rim.Gather(all);
       return all;
    };
-   operators.own_area = areas.OverRanks();
-   rim.Update(pairing, operators.own_area);
    operators.area = gathered(areas);
    gap = gathered(gaps);
    present_area = gathered(current);

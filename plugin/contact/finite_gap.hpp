@@ -20,7 +20,8 @@ namespace synovia
 /// configuration (SurfaceNormals), x_A where it hits A there; the integrals run
 /// over those material points of B, with their reference areas dA, that hit.
 /// Tractions and fluxes that go with these are nominal, per reference area of
-/// B. phi_j are the functions of RimVertices. Nodal forces act along n on both
+/// B. phi_j are the functions of RimVertices, less where the surfaces turn away
+/// from each other (SetBearingShares()). Nodal forces act along n on both
 /// sides, so that forces and moments are in balance point by point; they are no
 /// gradient of the gap, so that the derivatives aren't symmetric.
 ///
@@ -74,6 +75,8 @@ public:
    const mfem::HypreParMatrix &OutflowChange() const { return *outflow_change; }
 
 private:
+   /// What the points cover, and which vertices that leaves at the rim.
+   void CoverRim();
    /// Values and maps of forces and flows.
    void Assemble();
    /// What only changes with the points.
@@ -87,6 +90,7 @@ private:
    BiphasicSpaces &spaces;
    SurfacePairing pairing;
    RimVertices rim;
+   mfem::real_t bearing_angle;
    GapOperators operators;
    mfem::Vector gap;
    /// 1 / a_j, 0 where nothing is hit.

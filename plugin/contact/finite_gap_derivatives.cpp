@@ -93,7 +93,7 @@ private:
    void AddTurn(real_t size, const std::array<Point3, 3> &turn,
                 const Vector &shape, DenseMatrix &by_normals) const
    {
-      const Vector &m = at.Multiplier();
+      const Vector &m = at.VertexShapes();
       for (int v = 0; v < m.Size(); v++)
       {
          for (int e = 0; e < 3; e++)

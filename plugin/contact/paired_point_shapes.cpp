@@ -86,6 +86,11 @@ void PairedPointShapes::Evaluate(const PairedPoint &point)
    const Geometry::Type own = destination.geometry;
    const Geometry::Type other = source->dofs.geometry;
    SetShapes(own, point.ip, u, p, m);
+   multiplier = m;
+   for (int j = 0; j < m.Size(); j++)
+   {
+      multiplier[j] *= point.share[j];
+   }
    SetShapes(other, point.hit, source_u, source_p, source_m);
    const Point3 sum =
       InterpolateNormal(pairing.Normals().AtVertices(point.face), m);

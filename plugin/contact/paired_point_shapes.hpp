@@ -41,7 +41,10 @@ public:
    const mfem::Vector &SourceMultiplier() const { return source_m; }
    const mfem::Vector &DestinationDisplacement() const { return u; }
    const mfem::Vector &DestinationPressure() const { return p; }
-   const mfem::Vector &Multiplier() const { return m; }
+   const mfem::Vector &VertexShapes() const { return m; }
+   /// What the multipliers of the vertices have there: PairedPoint::share of
+   /// the vertices' shape functions.
+   const mfem::Vector &Multiplier() const { return multiplier; }
 
    /// Nodes of the source's face x 2: by xi and eta.
    const mfem::DenseMatrix &SourceDisplacementSlopes() const
@@ -99,6 +102,7 @@ private:
    mfem::Vector u;
    mfem::Vector p;
    mfem::Vector m;
+   mfem::Vector multiplier;
    mfem::DenseMatrix source_du;
    mfem::DenseMatrix source_dp;
    std::array<mfem::real_t, 2> pressure_slopes;

@@ -30,10 +30,10 @@ std::vector<FaceOverlap> FaceOverlaps(const SurfacePairing &pairing)
       {
          face = point.face;
          overlaps.push_back({at.Vertices(), at.DestinationDofs().vertices,
-                             DenseMatrix(at.Multiplier().Size())});
+                             DenseMatrix(at.VertexShapes().Size())});
          overlaps.back().overlap = 0.0;
       }
-      AddMult_a_VVt(point.area, at.Multiplier(), overlaps.back().overlap);
+      AddMult_a_VVt(point.area, at.VertexShapes(), overlaps.back().overlap);
    }
    return overlaps;
 }

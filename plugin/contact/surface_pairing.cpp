@@ -1,4 +1,5 @@
 #include "synovia/contact/surface_pairing.hpp"
+#include "synovia/contact/bearing_shares.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
@@ -51,14 +52,10 @@ SurfacePairing::SurfacePairing(const ContactSurface &source_,
 
 SearchQuery SurfacePairing::Look(const PairedPoint &point) const
 {
-   const DeformedFace &face = destination.Faces()[point.face];
-   const FiniteElement &vertices =
-      *destination.Spaces().Multiplier().FEColl()->FiniteElementForGeometry(
-         face.GetGeometry());
-   Vector shape(vertices.GetDof());
-   vertices.CalcShape(point.ip, shape);
+   Vector shape;
+   destination.GetVertexShapes(point.face, point.ip, shape);
    SearchQuery query;
-   query.point = face.Current(point.ip).position;
+   query.point = destination.Faces()[point.face].Current(point.ip).position;
    query.normal = InterpolateNormal(normals.AtVertices(point.face), shape);
    const real_t length = Length(query.normal);
    for (real_t &component : query.normal)
@@ -111,7 +108,25 @@ void SurfacePairing::Segment()
    }
    points.resize(kept);
    AskForFaces(search);
+   for (PairedPoint &point : points)
+   {
+      point.angle = FacingAngle(point);
+   }
    drifted = false;
+}
+
+real_t SurfacePairing::FacingAngle(const PairedPoint &point) const
+{
+   const Point3 own =
+      destination.Faces()[point.face].Current(point.ip).UnitNormal();
+   const Point3 other =
+      halo[point.source].shape(point.hit.x, point.hit.y).UnitNormal();
+   return std::acos(std::clamp<real_t>(-Dot(own, other), -1.0, 1.0));
+}
+
+void SurfacePairing::ShareByAngle(const Vector &least, real_t bearing_angle)
+{
+   SetBearingShares(destination, least, bearing_angle, points);
 }
 
 void SurfacePairing::AskForFaces(const SurfaceSearch &search)
@@ -246,7 +261,7 @@ bool SurfacePairing::Walk(PairedPoint &point) const
    return best.outside <= edge_tolerance;
 }
 
-void SurfacePairing::Follow()
+bool SurfacePairing::Follow()
 {
    normals.Update();
    halo.UpdateShapes();
@@ -255,16 +270,19 @@ void SurfacePairing::Follow()
    {
       const FaceName before = points[i].name;
       const bool on_face = Walk(points[i]);
-      drifted = drifted || !on_face || points[i].name != before;
+      drifted = drifted || !on_face || points[i].name != before ||
+                points[i].OverlapsUnborne();
       if (!on_face)
       {
          leaving.push_back(static_cast<int>(i));
       }
    }
-   if (AnyRank(!leaving.empty(), source.Spaces().GetComm()))
+   const bool any = AnyRank(!leaving.empty(), source.Spaces().GetComm());
+   if (any)
    {
       FindOtherFaces(leaving);
    }
+   return any;
 }
 
 void SurfacePairing::FindOtherFaces(const std::vector<int> &leaving)

@@ -5,6 +5,7 @@
 #include "synovia/contact/segmentation.hpp"
 #include "synovia/contact/surface_normals.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace synovia
@@ -28,8 +29,19 @@ struct PairedPoint
    mfem::IntegrationPoint hit;
    /// Signed distance along the normal: negative where the surfaces overlap.
    mfem::real_t gap = 0.0;
+   /// Between the face's normal and the opposite of that of the source where it
+   /// was hit first, radians: 0 where they face each other.
+   mfem::real_t angle = 0.0;
+   /// Of the multiplier of each vertex of the destination face, the part that
+   /// the point bears (SetBearingShares()).
+   std::array<mfem::real_t, 4> share{{1.0, 1.0, 1.0, 1.0}};
 
    bool Counts() const { return source >= 0; }
+   /// Whether the surfaces overlap there, and a vertex takes no part in it.
+   bool OverlapsUnborne() const
+   {
+      return gap < 0.0 && *std::min_element(share.begin(), share.end()) == 0.0;
+   }
 };
 
 /// Which points of two deforming surfaces see each other.
@@ -49,10 +61,15 @@ public:
 
    /// Makes points anew in the surfaces' current configuration. Collective.
    void Segment();
-   /// Finds what the points hit now that the surfaces have moved. Collective.
-   void Follow();
+   /// Lets points bear less where surfaces turn away from each other, as
+   /// SetBearingShares() says, until the next Segment(). Collective.
+   void ShareByAngle(const mfem::Vector &least, mfem::real_t bearing_angle);
+   /// Finds what the points hit now that the surfaces have moved; says whether
+   /// any left the source, so that there may be fewer. Collective.
+   bool Follow();
    /// Whether points hit other faces than those that they were made for, or
-   /// none, so that segments don't follow the source's faces any more.
+   /// none, so that segments don't follow the source's faces any more, or
+   /// overlap where they bear nothing.
    /// Collective.
    bool HasDrifted() const;
 
@@ -76,6 +93,7 @@ private:
    };
 
    SearchQuery Look(const PairedPoint &point) const;
+   mfem::real_t FacingAngle(const PairedPoint &point) const;
    /// Solves x_A(xi) = x_B + gap n on a face, from where @a start is; @a start
    /// itself if that leads too far away.
    Landing Land(const SearchQuery &query, int face, const Landing &start) const;
