@@ -35,6 +35,8 @@ Vector LeastAngles(const SurfacePairing &pairing, real_t bearing_angle)
 void SetBearingShares(const ContactSurface &destination, const Vector &least,
                       real_t bearing_angle, std::vector<PairedPoint> &points)
 {
+   // The narrower the fall, the more a search undoes of what led to it.
+   constexpr real_t none = 4.0;
    const Vector local_least = destination.Vertices().Share(least);
    for (PairedPoint &point : points)
    {
@@ -43,7 +45,8 @@ void SetBearingShares(const ContactSurface &destination, const Vector &least,
       {
          const real_t beyond =
             (point.angle - local_least[vertices[j]]) / bearing_angle;
-         point.share[j] = std::clamp<real_t>(2.0 - beyond, 0.0, 1.0);
+         point.share[j] =
+            std::clamp<real_t>((none - beyond) / (none - 1.0), 0.0, 1.0);
       }
    }
 }

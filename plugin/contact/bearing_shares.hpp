@@ -17,7 +17,7 @@ mfem::Vector LeastAngles(const SurfacePairing &pairing,
 /// around the vertex. With theta the angle of a point, theta_j that of the
 /// vertex and b the @a bearing_angle, that is
 ///
-///     1 up to theta - theta_j = b, falling linearly to 0 at 2 b.
+///     1 up to theta - theta_j = b, falling linearly to 0 at 4 b.
 ///
 /// So at the vertices of a rounded edge, where one face may touch and the next
 /// turns away, gaps are those of the first, and don't depend on how much of the
