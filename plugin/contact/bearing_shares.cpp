@@ -11,6 +11,8 @@ using namespace mfem;
 
 Vector LeastAngles(const SurfacePairing &pairing, real_t bearing_angle)
 {
+   // Weights stay above zero, so that a narrow angle leaves no vertex without.
+   constexpr real_t most = 100.0;
    const ContactSurface &destination = pairing.Destination();
    VertexSums weights(destination.Vertices());
    VertexSums angles(destination.Vertices());
@@ -19,7 +21,8 @@ Vector LeastAngles(const SurfacePairing &pairing, real_t bearing_angle)
    {
       const Array<int> &vertices = destination.Faces()[point.face].Vertices();
       destination.GetVertexShapes(point.face, point.ip, weight);
-      weight *= point.area * std::exp(-2.0 * point.angle / bearing_angle);
+      weight *= point.area *
+                std::exp(-std::min(most, 2.0 * point.angle / bearing_angle));
       weights.Add(vertices, 1.0, weight);
       angles.Add(vertices, point.angle, weight);
    }

@@ -32,10 +32,11 @@ struct ContactTuning
    /// In finite deformation, by how much larger an angle (radians) than where
    /// they face each other best around a vertex surfaces may turn away from
    /// each other and count wholly in its gap and bear its traction; where it is
-   /// four times as large they don't at all. Smaller: less of a coarsely meshed
-   /// round surface bears; larger: at rounded edges, gaps mix what touches with
-   /// what never will, and the active set goes to and fro.
-   mfem::real_t bearing_angle = 0.25;
+   /// four times as large they don't at all. Smaller, 0.25 say: at rounded
+   /// edges, gaps don't mix what touches with what never will, and the active
+   /// set doesn't go to and fro; but results depend on where a solve started,
+   /// as angles are those of its searches. Above pi: all counts.
+   mfem::real_t bearing_angle = 4.0;
    /// Part of a gap or jump that an augmentation may leave without the penalty
    /// being raised (Simo & Laursen, Comput Struct 42:97-116, 1992). Smaller:
    /// fewer augmentations with stiffer systems.
