@@ -29,7 +29,7 @@ struct ContactCoverage
    /// a_j = int phi_j (area), 0 where the vertex sees nothing.
    mfem::Vector area;
    /// The same of the vertex's own shape function, where phi_j is more than
-   /// that (RimVertices) or less (SetBearingShares()).
+   /// that (RimVertices) or less (BearingShares()).
    mfem::Vector own_area;
    /// int phi_j n, by component (area).
    std::array<mfem::Vector, 3> normal_area;

@@ -31,9 +31,11 @@ void FiniteGap::Search()
 {
    pairing.Segment();
    CoverRim();
-   Vector least = LeastAngles(pairing, bearing_angle);
-   rim.Spread(least);
-   pairing.ShareByAngle(least, bearing_angle);
+   // No two angles differ by more.
+   if (bearing_angle < M_PI)
+   {
+      pairing.SetShares(BearingShares(pairing, rim, bearing_angle));
+   }
    Assemble();
    AssembleCoverage();
 }

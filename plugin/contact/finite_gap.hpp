@@ -21,7 +21,7 @@ namespace synovia
 /// over those material points of B, with their reference areas dA, that hit.
 /// Tractions and fluxes that go with these are nominal, per reference area of
 /// B. phi_j are the functions of RimVertices, less where the surfaces turn away
-/// from each other (SetBearingShares()). Nodal forces act along n on both
+/// from each other (BearingShares()). Nodal forces act along n on both
 /// sides, so that forces and moments are in balance point by point; they are no
 /// gradient of the gap, so that the derivatives aren't symmetric.
 ///

@@ -67,13 +67,13 @@ void PairedPointShapes::GoToFace(int number)
 void PairedPointShapes::SetShapes(Geometry::Type geometry,
                                   const IntegrationPoint &ip,
                                   Vector &displacement, Vector &pressure,
-                                  Vector &multiplier) const
+                                  Vector &of_vertices) const
 {
    const FiniteElement &vertices = Element(spaces.Multiplier(), geometry);
-   SetShape(vertices, ip, multiplier);
-   SetShape(Element(spaces.Pressure(), geometry), ip, vertices, multiplier,
+   SetShape(vertices, ip, of_vertices);
+   SetShape(Element(spaces.Pressure(), geometry), ip, vertices, of_vertices,
             pressure);
-   SetShape(Element(spaces.Displacement(), geometry), ip, vertices, multiplier,
+   SetShape(Element(spaces.Displacement(), geometry), ip, vertices, of_vertices,
             displacement);
 }
 

@@ -81,7 +81,7 @@ private:
    /// Of the spaces, at a point of a face.
    void SetShapes(mfem::Geometry::Type geometry,
                   const mfem::IntegrationPoint &ip, mfem::Vector &displacement,
-                  mfem::Vector &pressure, mfem::Vector &multiplier) const;
+                  mfem::Vector &pressure, mfem::Vector &of_vertices) const;
 
    const SurfacePairing &pairing;
    BiphasicSpaces &spaces;

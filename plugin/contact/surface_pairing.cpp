@@ -1,5 +1,4 @@
 #include "synovia/contact/surface_pairing.hpp"
-#include "synovia/contact/bearing_shares.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
@@ -108,25 +107,15 @@ void SurfacePairing::Segment()
    }
    points.resize(kept);
    AskForFaces(search);
-   for (PairedPoint &point : points)
-   {
-      point.angle = FacingAngle(point);
-   }
    drifted = false;
 }
 
-real_t SurfacePairing::FacingAngle(const PairedPoint &point) const
+void SurfacePairing::SetShares(const std::vector<VertexShares> &shares)
 {
-   const Point3 own =
-      destination.Faces()[point.face].Current(point.ip).UnitNormal();
-   const Point3 other =
-      halo[point.source].shape(point.hit.x, point.hit.y).UnitNormal();
-   return std::acos(std::clamp<real_t>(-Dot(own, other), -1.0, 1.0));
-}
-
-void SurfacePairing::ShareByAngle(const Vector &least, real_t bearing_angle)
-{
-   SetBearingShares(destination, least, bearing_angle, points);
+   for (std::size_t i = 0; i < points.size(); i++)
+   {
+      points[i].share = shares[i];
+   }
 }
 
 void SurfacePairing::AskForFaces(const SurfaceSearch &search)

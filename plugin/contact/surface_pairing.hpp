@@ -11,6 +11,9 @@
 namespace synovia
 {
 
+/// Parts of the multipliers of the vertices of a destination face.
+using VertexShares = std::array<mfem::real_t, 4>;
+
 /// A quadrature point of the destination and the point of the source that its
 /// current normal n hits: x_A(xi) = x_B + gap n.
 struct PairedPoint
@@ -29,12 +32,8 @@ struct PairedPoint
    mfem::IntegrationPoint hit;
    /// Signed distance along the normal: negative where the surfaces overlap.
    mfem::real_t gap = 0.0;
-   /// Between the face's normal and the opposite of that of the source where it
-   /// was hit first, radians: 0 where they face each other.
-   mfem::real_t angle = 0.0;
-   /// Of the multiplier of each vertex of the destination face, the part that
-   /// the point bears (SetBearingShares()).
-   std::array<mfem::real_t, 4> share{{1.0, 1.0, 1.0, 1.0}};
+   /// What the point bears of them (BearingShares()).
+   VertexShares share{{1.0, 1.0, 1.0, 1.0}};
 
    bool Counts() const { return source >= 0; }
    /// Whether the surfaces overlap there, and a vertex takes no part in it.
@@ -61,16 +60,15 @@ public:
 
    /// Makes points anew in the surfaces' current configuration. Collective.
    void Segment();
-   /// Lets points bear less where surfaces turn away from each other, as
-   /// SetBearingShares() says, until the next Segment(). Collective.
-   void ShareByAngle(const mfem::Vector &least, mfem::real_t bearing_angle);
+   /// Lets points bear what @a shares have, an entry a point as of
+   /// PairedPoint::share, until the next Segment().
+   void SetShares(const std::vector<VertexShares> &shares);
    /// Finds what the points hit now that the surfaces have moved; says whether
    /// any left the source, so that there may be fewer. Collective.
    bool Follow();
    /// Whether points hit other faces than those that they were made for, or
    /// none, so that segments don't follow the source's faces any more, or
-   /// overlap where they bear nothing.
-   /// Collective.
+   /// overlap where they bear nothing. Collective.
    bool HasDrifted() const;
 
    const ContactSurface &Source() const { return source; }
@@ -93,7 +91,6 @@ private:
    };
 
    SearchQuery Look(const PairedPoint &point) const;
-   mfem::real_t FacingAngle(const PairedPoint &point) const;
    /// Solves x_A(xi) = x_B + gap n on a face, from where @a start is; @a start
    /// itself if that leads too far away.
    Landing Land(const SearchQuery &query, int face, const Landing &start) const;

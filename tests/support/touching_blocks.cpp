@@ -1,5 +1,6 @@
 #include "support/touching_blocks.hpp"
 #include "support/boxes.hpp"
+#include "support/stack_displacement.hpp"
 
 #include <cmath>
 
@@ -64,28 +65,19 @@ TouchingBlocks::TouchingBlocks(const TouchingBlocksOptions &options)
 
 Vector TouchingBlocks::Displacement(real_t slide)
 {
-   VectorFunctionCoefficient tilted(3,
-                                    [=](const Vector &x, Vector &u)
-                                    {
-                                       u[0] = slide + 0.05 * x[1] * x[1];
-                                       u[1] = 0.02 * std::sin(4.0 * x[0]);
-                                       u[2] = 0.1 * (x[0] - 0.5);
-                                    });
-   VectorFunctionCoefficient bent(3,
-                                  [](const Vector &x, Vector &u)
-                                  {
-                                     u[0] = 0.1 * x[0];
-                                     u[1] = 0.0;
-                                     u[2] = 0.02 * std::sin(3.0 * x[1]);
-                                  });
-   PWVectorCoefficient by_block(3);
-   by_block.UpdateCoefficient(mesh.Region("lower")[0], bent);
-   by_block.UpdateCoefficient(mesh.Region("upper")[0], tilted);
-   ParGridFunction field(&spaces.Displacement());
-   field.ProjectCoefficient(by_block);
-   Vector u;
-   field.GetTrueDofs(u);
-   return u;
+   const auto bent = [](const Vector &x, Vector &u)
+   {
+      u[0] = 0.1 * x[0];
+      u[1] = 0.0;
+      u[2] = 0.02 * std::sin(3.0 * x[1]);
+   };
+   const auto tilted = [=](const Vector &x, Vector &u)
+   {
+      u[0] = slide + 0.05 * x[1] * x[1];
+      u[1] = 0.02 * std::sin(4.0 * x[0]);
+      u[2] = 0.1 * (x[0] - 0.5);
+   };
+   return StackDisplacement(spaces, bent, tilted);
 }
 
 void TouchingBlocks::Touch(const Vector &u, const Vector &p)

@@ -3,8 +3,8 @@
 // A surface with a fold below a flat one: the gap of the vertices on the fold
 // is that of the side that may touch, whatever the other one sees.
 
-#include "synovia/contact/bearing_shares.hpp"
 #include "support/boxes.hpp"
+#include "support/stack_displacement.hpp"
 #include "synovia/contact/finite_gap.hpp"
 #include "synovia/fem/node_positions.hpp"
 #include "synovia/general/reduce.hpp"
@@ -55,21 +55,18 @@ FoldValues FindFoldValues(int upper_faces, real_t bearing_angle)
    ContactSurface source(spaces, mesh.Boundary("upper_z0"));
    ContactSurface destination(spaces, mesh.Boundary("lower_z1"));
 
-   VectorFunctionCoefficient bend(
-      3,
-      [](const Vector &x, Vector &u)
+   const Vector u = StackDisplacement(
+      spaces,
+      [](const Vector &x, Vector &bend)
       {
-         u = 0.0;
-         u[2] = -slope * std::max<real_t>(0.0, x[0] - fold) * x[2];
+         bend = 0.0;
+         bend[2] = -slope * std::max<real_t>(0.0, x[0] - fold) * x[2];
+      },
+      [](const Vector &, Vector &lift)
+      {
+         lift = 0.0;
+         lift[2] = distance;
       });
-   VectorConstantCoefficient lift(Vector({0.0, 0.0, distance}));
-   PWVectorCoefficient by_body(3);
-   by_body.UpdateCoefficient(1, bend);
-   by_body.UpdateCoefficient(2, lift);
-   ParGridFunction projected(&spaces.Displacement());
-   projected.ProjectCoefficient(by_body);
-   Vector u;
-   projected.GetTrueDofs(u);
    source.SetDisplacement(u);
    destination.SetDisplacement(u);
 

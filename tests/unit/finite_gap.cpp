@@ -7,6 +7,7 @@
 
 #include "synovia/contact/finite_gap.hpp"
 #include "support/boxes.hpp"
+#include "support/stack_displacement.hpp"
 #include "synovia/fem/node_positions.hpp"
 #include "synovia/general/reduce.hpp"
 
@@ -29,8 +30,6 @@ struct Shape
    Element::Type type = Element::HEXAHEDRON;
    int order = 2;
    bool curved = false;
-   /// GapOptions::bearing_angle: so small that points bear parts.
-   real_t bearing_angle = 0.02;
 };
 
 Mesh MakeBodies(const Shape &shape)
@@ -73,7 +72,7 @@ public:
         source(spaces, mesh.Boundary("upper_z0")),
         destination(spaces, mesh.Boundary("lower_z1")),
         destination_areas(NodalAreas(destination)),
-        gap(source, destination, destination_areas, Options(shape))
+        gap(source, destination, destination_areas, Options())
    {
    }
 
@@ -81,29 +80,19 @@ public:
    // and further by @a slide.
    Vector Displacement(real_t depth, real_t slide)
    {
-      PWVectorCoefficient by_body(3);
       const auto bend = [](const Vector &x, Vector &u)
       {
          u[0] = 0.1 * x[0] * x[1] + 0.05 * std::sin(3.0 * x[1]);
          u[1] = -0.2 * x[1] + 0.05 * x[0] * x[0];
          u[2] = 0.1 * std::sin(2.0 * x[0] + x[1]) - 0.1 * x[2];
       };
-      VectorFunctionCoefficient lower(3, bend);
-      VectorFunctionCoefficient upper(3,
-                                      [=](const Vector &x, Vector &u)
-                                      {
-                                         bend(x, u);
-                                         u[0] += slide;
-                                         u[2] +=
-                                            0.03 * std::cos(4.0 * x[0]) - depth;
-                                      });
-      by_body.UpdateCoefficient(1, lower);
-      by_body.UpdateCoefficient(2, upper);
-      ParGridFunction projected(&spaces.Displacement());
-      projected.ProjectCoefficient(by_body);
-      Vector u;
-      projected.GetTrueDofs(u);
-      return u;
+      return StackDisplacement(spaces, bend,
+                               [=](const Vector &x, Vector &u)
+                               {
+                                  bend(x, u);
+                                  u[0] += slide;
+                                  u[2] += 0.03 * std::cos(4.0 * x[0]) - depth;
+                               });
    }
 
    void Search(const Vector &u)
@@ -147,11 +136,12 @@ private:
       source.SetDisplacement(u);
       destination.SetDisplacement(u);
    }
-   static GapOptions Options(const Shape &shape)
+   static GapOptions Options()
    {
       GapOptions options;
       options.search_radius = 0.4;
-      options.bearing_angle = shape.bearing_angle;
+      // So small that points bear parts.
+      options.bearing_angle = 0.02;
       return options;
    }
 };

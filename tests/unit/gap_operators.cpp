@@ -6,6 +6,7 @@
 
 #include "synovia/contact/gap_operators.hpp"
 #include "support/boxes.hpp"
+#include "support/stack_displacement.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -95,16 +96,8 @@ public:
    Vector Displacement(std::function<void(const Vector &, Vector &)> on_lower,
                        std::function<void(const Vector &, Vector &)> on_upper)
    {
-      VectorFunctionCoefficient low(3, on_lower);
-      VectorFunctionCoefficient high(3, on_upper);
-      PWVectorCoefficient both(3);
-      both.UpdateCoefficient(1, low);
-      both.UpdateCoefficient(2, high);
-      ParGridFunction field(&spaces.Displacement());
-      field.ProjectCoefficient(both);
-      Vector u;
-      field.GetTrueDofs(u);
-      return u;
+      return StackDisplacement(spaces, std::move(on_lower),
+                               std::move(on_upper));
    }
 
    Vector Pressure(std::function<real_t(const Vector &)> on_lower,
