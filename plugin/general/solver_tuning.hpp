@@ -6,10 +6,10 @@ namespace synovia
 {
 
 // Measured constants that decide how fast and how robustly problems are solved.
-// Results depend on them within the tolerances only, but for the coverages of
-// contact, which decide about single vertices at the rim of a surface. The
-// defaults were measured on the shipped cases; their keys in a case file are
-// solver.tuning.GROUP.NAME.
+// Results depend on them within the tolerances only, but for the coverages and
+// the bearing angle of contact, which decide about single vertices at the rim
+// of a surface and at edges. The defaults were measured on the shipped cases;
+// their keys in a case file are solver.tuning.GROUP.NAME.
 
 /// Of the augmented Lagrangian of each contact pair.
 struct ContactTuning
