@@ -31,110 +31,28 @@ import missing_module  # noqa: E402,F401
 import numpy as np  # noqa: E402
 from matplotlib.figure import FigureBase  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.tri import Triangulation  # noqa: E402
 
 import figure_style as style  # noqa: E402
 import knee_run  # noqa: E402
 import plot_script  # noqa: E402
-import section  # noqa: E402
+import tibial_contact as tibia  # noqa: E402
 from figure_style import plt  # noqa: E402
 from knee_run import SIDES, Knee  # noqa: E402
 from synovia_output import Output  # noqa: E402
 
 LOADED = 1.0                # s
-ON_TIBIA = ("femur-tibia", "tibia-meniscus")
 BODY = "rigid_body.femur."
-LEVELS = 12
-# What is less bears nothing that could be seen (of the largest pressure).
-FAINT = 0.01
 # Fukubayashi & Kurosawa, Acta Orthop Scand 51:871-879, 1980: seven knees,
 # 1000 N, extended, with menisci
 MEASURED_AREA, MEASURED_PEAK = 1150.0, 3.0
 MEASURED = "1000 N, Fukubayashi & Kurosawa 1980"
-TIBIA = {"color": "#E4EDF3"}
-MENISCUS = {"color": style.GRAY, "linewidth": 0.7}
-
-
-def on_tibia(knee: Knee, column: str) -> np.ndarray:
-    """A column of what lies on the tibia, by pair and time."""
-    return np.array([knee.history[f"contact.{kind}-{side}.{column}"]
-                     for kind in ON_TIBIA for side in SIDES])
-
-
-def area(knee: Knee, kinds: tuple[str, ...] = ON_TIBIA) -> np.ndarray:
-    return np.sum([knee.history[f"contact.{kind}-{side}.area"]
-                   for kind in kinds for side in SIDES], axis=0)
-
-
-def peak_stress(knee: Knee) -> np.ndarray:
-    return on_tibia(knee, "peak_traction").max(axis=0)
-
-
-def fluid_share(knee: Knee) -> np.ndarray:
-    """Of the force on the tibia, in %."""
-    forces = np.abs(on_tibia(knee, "force_z"))
-    borne = forces * on_tibia(knee, "fluid_load_support")
-    return 100 * borne.sum(axis=0) / np.maximum(forces.sum(axis=0), 1e-12)
-
-
-def meniscal_share(knee: Knee) -> np.ndarray:
-    return knee.share(knee.force(("meniscus-femur",)))
-
-
-def pressure_maps(knee: Knee, time: float) -> dict[str, tuple]:
-    """By pair: where its destination is, triangles, and contact pressure."""
-    found = {}
-    for kind in ON_TIBIA:
-        for side in SIDES:
-            surface = knee.deformed_surface(f"{kind}-{side}", time)
-            found[f"{kind}-{side}"] = (
-                surface.points[:, :2], section.triangles_of(surface),
-                surface["contact_pressure"])
-    return found
-
-
-def largest_pressure(knee: Knee) -> float:
-    return max(float(values.max())
-               for time in (knee.time, knee.times[-1])
-               for _, _, values in pressure_maps(knee, time).values())
 
 
 def pressure(axes: plt.Axes, knee: Knee, time: float) -> None:
-    """Contact pressure in steps of color on the deformed surfaces."""
-    most = largest_pressure(knee)
-    levels = np.linspace(0, most, LEVELS + 1)
-    levels[0] = FAINT * most
-    maps = pressure_maps(knee, time)
-    for side in SIDES:
-        points, triangles, _ = maps[f"femur-tibia-{side}"]
-        axes.tripcolor(Triangulation(*points.T, triangles),
-                       np.zeros(len(triangles)), rasterized=True,
-                       cmap=style.plt.matplotlib.colors.ListedColormap(
-                           [TIBIA["color"]]))
-    for points, triangles, values in maps.values():
-        # Folded edges have no area from above.
-        filled = axes.tricontourf(
-            Triangulation(*points.T, upright(points, triangles)), values,
-            levels, cmap="viridis_r")
-    for side in SIDES:
-        for line in knee.outline(f"tibia-meniscus-{side}", time):
-            axes.plot(line[:, 0], line[:, 1], **MENISCUS)
-        x = knee.bodies[f"tibial_cartilage_{side}"].center[0]
-        axes.annotate(side, (x, 1.0), xytext=(0, 2), ha="center", va="bottom",
-                      xycoords=axes.get_xaxis_transform(), fontsize=8,
-                      textcoords="offset points", color=style.GRAY)
-    axes.set(xlabel="$x$ (mm)", ylabel="$y$ (mm), anterior up",
-             aspect="equal")
+    tibia.draw_pressure(
+        axes, knee, time,
+        tibia.largest_pressure(knee, [knee.time, knee.times[-1]]))
     axes.set_title(f"Contact pressure, {in_words(time)}", pad=14)
-    plt.colorbar(filled, ax=axes, label="contact pressure (MPa)",
-                 ticks=levels[1:][1::2], format="%.2f", aspect=25, pad=0.02)
-
-
-def upright(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Triangles that have an area."""
-    a, b, c = (points[triangles[:, k]] for k in range(3))
-    doubled = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
-    return triangles[np.abs(doubled) > 1e-6 * np.abs(doubled).max()]
 
 
 def in_words(time: float) -> str:
@@ -156,10 +74,10 @@ def against_time(axes: plt.Axes, knee: Knee, label: str) -> None:
 
 def areas(axes: plt.Axes, knee: Knee) -> None:
     t = knee.history["t"]
-    axes.plot(t, area(knee), color="black", label="all")
-    axes.plot(t, area(knee, ("tibia-meniscus",)), color=style.ORANGE,
+    axes.plot(t, tibia.area(knee), color="black", label="all")
+    axes.plot(t, tibia.area(knee, ("tibia-meniscus",)), color=style.ORANGE,
               label="below the menisci")
-    axes.plot(t, area(knee, ("femur-tibia",)), color=style.BLUE,
+    axes.plot(t, tibia.area(knee, ("femur-tibia",)), color=style.BLUE,
               label="femur on tibia")
     axes.axhline(MEASURED_AREA, **style.REFERENCE)
     against_time(axes, knee, "contact area (mm²)")
@@ -179,10 +97,10 @@ def peak(axes: plt.Axes, knee: Knee) -> None:
 
 def shares(axes: plt.Axes, knee: Knee) -> None:
     t = knee.history["t"]
-    axes.plot(t, fluid_share(knee), color=style.SKY, label="by the fluid")
+    axes.plot(t, tibia.fluid_share(knee), color=style.SKY, label="by the fluid")
     axes.plot(t, knee.share(knee.force(sides=("medial",))), color=style.RED,
               label="on the medial side")
-    axes.plot(t, meniscal_share(knee), color=style.ORANGE,
+    axes.plot(t, tibia.meniscal_share(knee), color=style.ORANGE,
               label="by way of the menisci")
     against_time(axes, knee, "share of the force (%)")
     axes.set_ylim(0, 105)
@@ -248,12 +166,12 @@ def findings(knee: Knee) -> str:
         medial = knee.share(knee.force(sides=("medial",)))[i]
         lines.append(
             f"t = {t[i]:.4g} s: {knee.force()[i]:.5g} N, medial {medial:.0f} "
-            f"%, by way of the menisci {meniscal_share(knee)[i]:.0f} %; "
-            f"{area(knee)[i]:.0f} mm^2, of these "
-            f"{area(knee, ('tibia-meniscus',))[i]:.0f} below the menisci; "
-            f"peak stress {peak_stress(knee)[i]:.2f} MPa, peak pressure "
+            f"%, by way of the menisci {tibia.meniscal_share(knee)[i]:.0f} %; "
+            f"{tibia.area(knee)[i]:.0f} mm^2, of these "
+            f"{tibia.area(knee, ('tibia-meniscus',))[i]:.0f} below the menisci; "
+            f"peak stress {tibia.peak_stress(knee)[i]:.2f} MPa, peak pressure "
             f"{knee.history['fluid.peak_pressure'][i]:.2f} MPa, borne by the "
-            f"fluid {fluid_share(knee)[i]:.0f} %; down by "
+            f"fluid {tibia.fluid_share(knee)[i]:.0f} %; down by "
             f"{-knee.history[BODY + 'translation_z'][i]:.2f} mm")
     return "\n".join(lines)
 

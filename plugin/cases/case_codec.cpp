@@ -17,6 +17,8 @@ constexpr real_t largest_number = 1e30;
 constexpr const char *free_word = "free";
 constexpr const char *curve_times = "times";
 constexpr const char *curve_values = "values";
+constexpr const char *curve_repeat = "repeat";
+constexpr int most_repeats = 10000;
 
 template <typename List, typename Text>
 std::string ListText(const List &list, Text text)
@@ -110,7 +112,7 @@ bool ReadThree(const CaseInput &from, const std::string &expected, Read read)
 
 // What is wrong with the points of a curve, and where.
 void CheckCurve(const CaseInput &from, const Numbers &times,
-                const Numbers &values)
+                const Numbers &values, int repeat)
 {
    if (times.empty() || times.size() != values.size())
    {
@@ -130,6 +132,11 @@ void CheckCurve(const CaseInput &from, const Numbers &times,
                               ToText(times[i - 1]));
          return;
       }
+   }
+   if (repeat > 1 && (times.size() < 2 || values.front() != values.back()))
+   {
+      from.AddError("a curve that repeats must have two points at least, and "
+                    "end with the value that it begins with");
    }
 }
 
@@ -166,7 +173,8 @@ std::optional<LoadCurve> ReadCurve(const CaseInput &from,
    const size_t before = from.Reading().Count();
    for (const CaseValue::Member &member : from->members)
    {
-      if (member.key != curve_times && member.key != curve_values)
+      if (member.key != curve_times && member.key != curve_values &&
+          member.key != curve_repeat)
       {
          from.Member(member.key, member.value)
             .AddError("a curve has no such key; write " + CurveForms());
@@ -174,13 +182,24 @@ std::optional<LoadCurve> ReadCurve(const CaseInput &from,
    }
    const Numbers times = ReadPoints(from, curve_times);
    const Numbers values = ReadPoints(from, curve_values);
+   int repeat = 1;
+   if (const CaseValue *number = from->Find(curve_repeat))
+   {
+      const CaseInput input = from.Member(curve_repeat, *number);
+      ReadValue(input, repeat);
+      if (repeat < 1 || repeat > most_repeats)
+      {
+         input.AddError("a curve repeats from 1 to " +
+                        std::to_string(most_repeats) + " times");
+      }
+   }
    if (from.Reading().Count() == before)
    {
-      CheckCurve(from, times, values);
+      CheckCurve(from, times, values, repeat);
    }
    return from.Reading().Count() > before
              ? std::nullopt
-             : std::make_optional(LoadCurve(times, values));
+             : std::make_optional(LoadCurve(times, values).Repeated(repeat));
 }
 } // namespace
 

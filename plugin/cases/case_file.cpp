@@ -270,7 +270,8 @@ void ListCaseKeys(std::ostream &out)
           "--set counts from 0\n(material.0.solid.E) or names "
           "(contact.NAME.penalty). A curve is "
        << CurveForms()
-       << ",\nlinear between the points and constant before and after.\n";
+       << ",\nlinear between the points and constant before and after; with "
+          "repeat = N in it,\nN times over.\n";
 }
 
 } // namespace synovia

@@ -100,6 +100,11 @@ KeyTable NewtonKeys(NewtonTuning &newton)
        "most new searches of contact while the active set changes");
    Add(keys, "max_searches", newton.max_searches, NumberRange::From(0, 1000),
        "most new searches of contact in one solve");
+   Add(
+      keys, "search_accuracy", newton.search_accuracy,
+      NumberRange::From(0.0, 1.0),
+      "part of the residual since the last search at which contact is searched "
+      "anew");
    Add(keys, "search_reduction", newton.search_reduction,
        NumberRange::Inside(0.0, 1.0),
        "part of the last search's residual that one more search may cause");

@@ -18,7 +18,7 @@ real_t FacingAngle(const SurfacePairing &pairing, const PairedPoint &point)
    const Point3 other = pairing.SourceFaces()[point.source]
                            .shape(point.hit.x, point.hit.y)
                            .UnitNormal();
-   return std::acos(std::clamp<real_t>(-Dot(own, other), -1.0, 1.0));
+   return std::atan2(Length(Cross(own, other)), -Dot(own, other));
 }
 
 /// The angle around each of this rank's vertices where it is least; zero where
@@ -52,32 +52,44 @@ Vector LeastAngles(const SurfacePairing &pairing,
 }
 } // namespace
 
-std::vector<VertexShares> BearingShares(const SurfacePairing &pairing,
-                                        const RimVertices &rim,
-                                        real_t bearing_angle)
+FaceShares BearingShares(const SurfacePairing &pairing, const RimVertices &rim,
+                         real_t bearing_angle)
 {
-   // The narrower the fall, the more a search undoes of what led to it.
-   constexpr real_t none = 4.0;
+   // The narrower the fall, the more shares differ between steps.
+   constexpr real_t none = 2.0;
+   const ContactSurface &destination = pairing.Destination();
+   const std::vector<PairedPoint> &points = pairing.Points();
    std::vector<real_t> angles;
-   angles.reserve(pairing.Points().size());
-   for (const PairedPoint &point : pairing.Points())
+   angles.reserve(points.size());
+   for (const PairedPoint &point : points)
    {
       angles.push_back(FacingAngle(pairing, point));
    }
    Vector least = LeastAngles(pairing, angles, bearing_angle);
    rim.Spread(least);
-   least = pairing.Destination().Vertices().Share(least);
-   std::vector<VertexShares> shares(angles.size());
-   for (std::size_t i = 0; i < angles.size(); i++)
+   least = destination.Vertices().Share(least);
+   FaceShares shares(destination.Faces().size(), {{1.0, 1.0, 1.0, 1.0}});
+   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
    {
-      const int face = pairing.Points()[i].face;
-      const Array<int> &vertices =
-         pairing.Destination().Faces()[face].Vertices();
+      const int face = points[begin].face;
+      const Array<int> &vertices = destination.Faces()[face].Vertices();
+      std::array<real_t, 4> borne{{0.0, 0.0, 0.0, 0.0}};
+      real_t area = 0.0;
+      for (; end < points.size() && points[end].face == face; end++)
+      {
+         area += points[end].area;
+         for (int j = 0; j < vertices.Size(); j++)
+         {
+            const real_t beyond =
+               (angles[end] - least[vertices[j]]) / bearing_angle;
+            borne[j] +=
+               points[end].area *
+               std::clamp<real_t>((none - beyond) / (none - 1.0), 0.0, 1.0);
+         }
+      }
       for (int j = 0; j < vertices.Size(); j++)
       {
-         const real_t beyond = (angles[i] - least[vertices[j]]) / bearing_angle;
-         shares[i][j] =
-            std::clamp<real_t>((none - beyond) / (none - 1.0), 0.0, 1.0);
+         shares[face][j] = borne[j] / area;
       }
    }
    return shares;

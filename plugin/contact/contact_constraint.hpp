@@ -28,6 +28,9 @@ public:
    /// first Search() for where the run is to start, which stands for the
    /// undeformed configuration then.
    virtual void SearchAt(const mfem::Vector &u) = 0;
+   /// Takes what is kept within a time step from the displacement @a u at its
+   /// start. A Search() must follow.
+   virtual void StartStep(const mfem::Vector & /*u*/) {}
    /// Prepares for a stage that is expected to end near @a u; says whether
    /// coverage and factors are others than before. The first call searches the
    /// reference before, unless any search was; it throws Error if nothing is

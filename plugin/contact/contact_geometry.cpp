@@ -36,7 +36,6 @@ ContactGeometry::ContactGeometry(const std::string &pair_,
    options.quadrature_order = contact.quadrature_order;
    options.normal = contact.normal;
    options.rim_coverage = tuning.rim_coverage;
-   options.bearing_angle = tuning.bearing_angle;
    int shared = 0;
    for (const int dof : source.Vertices().TrueDofs())
    {

@@ -26,8 +26,13 @@ std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
 {
    if (deformation == Deformation::finite)
    {
+      // Where surfaces rub, multipliers of wide functions at the rim, which
+      // would be kept, cost multigrid its convergence.
+      const RimRule rim = options.friction.coefficient > 0.0
+                             ? RimRule::of_search
+                             : RimRule::of_step;
       return std::make_unique<FiniteConstraint>(
-         geometry, options.initial_overlap, gap_tolerance, tuning);
+         geometry, options.initial_overlap, gap_tolerance, tuning, rim);
    }
    return std::make_unique<InfinitesimalConstraint>(
       geometry, options.configuration, options.initial_overlap);

@@ -12,10 +12,11 @@ using namespace mfem;
 FiniteConstraint::FiniteConstraint(ContactGeometry &geometry_,
                                    InitialOverlap initial_overlap_,
                                    real_t gap_tolerance_,
-                                   const ContactTuning &tuning_)
+                                   const ContactTuning &tuning_,
+                                   RimRule rim_rule_)
    : geometry(geometry_), initial_overlap(initial_overlap_),
-     gap_tolerance(gap_tolerance_), tuning(tuning_), gaps(MakeGap()),
-     removed_overlap(geometry.DestinationAreas().Size())
+     gap_tolerance(gap_tolerance_), tuning(tuning_), rim_rule(rim_rule_),
+     gaps(MakeGap()), removed_overlap(geometry.DestinationAreas().Size())
 {
    removed_overlap = 0.0;
 }
@@ -36,17 +37,17 @@ void FiniteConstraint::SearchReference()
    }
 }
 
-bool FiniteConstraint::IsAt(const Vector &u) const
+bool FiniteConstraint::AreSame(const Vector &u, const Vector &v) const
 {
    u.HostRead();
-   const bool same = u.Size() == displacement.Size() &&
-                     std::equal(u.begin(), u.end(), displacement.begin());
+   const bool same =
+      u.Size() == v.Size() && std::equal(u.begin(), u.end(), v.begin());
    return !AnyRank(!same, geometry.Destination().Spaces().GetComm());
 }
 
 void FiniteConstraint::SearchAt(const Vector &u)
 {
-   if (!searched_anew || !IsAt(u))
+   if (!searched_anew || !AreSame(u, displacement))
    {
       geometry.SetDisplacement(u);
       displacement = u;
@@ -66,7 +67,7 @@ std::unique_ptr<FiniteGap> FiniteConstraint::MakeGap() const
 std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
 {
    std::unique_ptr<FiniteGap> found = MakeGap();
-   found->Search();
+   found->Search(kept);
    geometry.LeaveOutSlivers(found->Operators());
    return found;
 }
@@ -119,6 +120,23 @@ bool FiniteConstraint::Differs(const FiniteGap &other) const
    return false;
 }
 
+void FiniteConstraint::StartStep(const Vector &u)
+{
+   if (AreSame(u, step_start))
+   {
+      return;
+   }
+   SearchReference();
+   step_start = u;
+   kept = KeptBearing();
+   kept = FindGap(u)->FindBearing(tuning.bearing_angle);
+   if (rim_rule == RimRule::of_search)
+   {
+      kept.least_coverage.SetSize(0);
+   }
+   searched_anew.reset();
+}
+
 bool FiniteConstraint::Search(const Vector &u)
 {
    if (!reached)
@@ -134,7 +152,7 @@ bool FiniteConstraint::Search(const Vector &u)
 void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
                                 Vector &jump, Vector &pressure)
 {
-   if (!IsAt(u))
+   if (!AreSame(u, displacement))
    {
       geometry.SetDisplacement(u);
       displacement = u;

@@ -8,6 +8,14 @@
 namespace synovia
 {
 
+/// Which vertices are at the rim: those of each search, or, unless what is
+/// covered changes by much, those of the time step's start.
+enum class RimRule
+{
+   of_search,
+   of_step
+};
+
 /// Gap and jump in finite deformation: surfaces look for each other anew in
 /// each stage, points follow the displacement in between, and Linearize() gives
 /// complete derivatives; see FiniteGap. Where points have gone to other faces,
@@ -18,10 +26,12 @@ class FiniteConstraint : public ContactConstraint
 public:
    /// Borrows @a geometry. @a gap_tolerance: what gaps are closed to (length).
    FiniteConstraint(ContactGeometry &geometry, InitialOverlap initial_overlap,
-                    mfem::real_t gap_tolerance, const ContactTuning &tuning);
+                    mfem::real_t gap_tolerance, const ContactTuning &tuning,
+                    RimRule rim_rule);
 
    void SearchReference() override;
    void SearchAt(const mfem::Vector &u) override;
+   void StartStep(const mfem::Vector &u) override;
    bool Search(const mfem::Vector &u) override;
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p,
                  mfem::Vector &gap, mfem::Vector &jump,
@@ -52,8 +62,8 @@ public:
    void Archive(StateArchive &archive, const std::string &prefix) override;
 
 private:
-   /// Whether the surfaces are at displacement @a u, on all ranks.
-   bool IsAt(const mfem::Vector &u) const;
+   /// Of displacements, on all ranks.
+   bool AreSame(const mfem::Vector &u, const mfem::Vector &v) const;
    /// Not searched yet.
    std::unique_ptr<FiniteGap> MakeGap() const;
    std::unique_ptr<FiniteGap> SearchAnew() const;
@@ -64,10 +74,14 @@ private:
    InitialOverlap initial_overlap;
    mfem::real_t gap_tolerance;
    ContactTuning tuning;
+   RimRule rim_rule;
    std::unique_ptr<FiniteGap> gaps;
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;
    bool reached = false;
+   /// Where the step began, and what is kept in it.
+   mfem::Vector step_start;
+   KeptBearing kept;
    mfem::Vector displacement;
    /// Whether gaps has derivatives, of where the surfaces are or were.
    bool linearized = false;

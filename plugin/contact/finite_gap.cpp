@@ -22,22 +22,28 @@ FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
                      const Vector &destination_areas, const GapOptions &options)
    : spaces(destination.Spaces()), pairing(source, destination, options),
-     rim(destination, destination_areas, options.rim_coverage),
-     bearing_angle(options.bearing_angle)
+     rim(destination, destination_areas, options.rim_coverage)
 {
 }
 
-void FiniteGap::Search()
+void FiniteGap::Search(const KeptBearing &kept_)
 {
-   pairing.Segment();
+   kept = kept_;
+   pairing.Segment(kept.shares);
    CoverRim();
-   // No two angles differ by more.
-   if (bearing_angle < M_PI)
-   {
-      pairing.SetShares(BearingShares(pairing, rim, bearing_angle));
-   }
    Assemble();
    AssembleCoverage();
+}
+
+KeptBearing FiniteGap::FindBearing(real_t bearing_angle) const
+{
+   KeptBearing found;
+   if (bearing_angle < M_PI)
+   {
+      found.shares = BearingShares(pairing, rim, bearing_angle);
+   }
+   found.least_coverage = rim.KeepingParts(CoveredArea(found.shares));
+   return found;
 }
 
 void FiniteGap::Follow()
@@ -49,18 +55,28 @@ void FiniteGap::Follow()
    Assemble();
 }
 
-void FiniteGap::CoverRim()
+Vector FiniteGap::CoveredArea(const FaceShares &shares) const
 {
-   VertexSums covered(pairing.Destination().Vertices());
+   const ContactSurface &destination = pairing.Destination();
+   VertexSums covered(destination.Vertices());
    Vector shapes;
    for (const PairedPoint &point : pairing.Points())
    {
-      pairing.Destination().GetVertexShapes(point.face, point.ip, shapes);
-      covered.Add(pairing.Destination().Faces()[point.face].Vertices(),
-                  point.area, shapes);
+      destination.GetVertexShapes(point.face, point.ip, shapes);
+      for (int j = 0; j < shapes.Size() && !shares.empty(); j++)
+      {
+         shapes[j] *= shares[point.face][j];
+      }
+      covered.Add(destination.Faces()[point.face].Vertices(), point.area,
+                  shapes);
    }
-   operators.own_area = covered.OverRanks();
-   rim.Update(pairing, operators.own_area);
+   return covered.OverRanks();
+}
+
+void FiniteGap::CoverRim()
+{
+   operators.own_area = CoveredArea(FaceShares());
+   rim.Update(pairing, CoveredArea(kept.shares), kept.least_coverage);
 }
 
 void FiniteGap::Assemble()

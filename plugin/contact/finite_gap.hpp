@@ -10,6 +10,16 @@
 namespace synovia
 {
 
+/// What surfaces keep within a time step, lest searches undo each other: what
+/// faces bear (BearingShares()), and what part of each vertex's area must be
+/// covered for it not to belong to the rim (RimVertices). Empty: everything,
+/// and the part of GapOptions.
+struct KeptBearing
+{
+   FaceShares shares;
+   mfem::Vector least_coverage;
+};
+
 /// Gap and pressure jump between two surfaces in finite deformation, with
 /// complete derivatives:
 ///
@@ -35,7 +45,11 @@ public:
              const mfem::Vector &destination_areas, const GapOptions &options);
 
    /// Lets the surfaces look for each other anew where they are now.
-   void Search();
+   void Search(const KeptBearing &kept = KeptBearing());
+   /// What is to be kept for a step from where the surfaces are; they must have
+   /// searched with nothing kept. An angle of pi or more: faces bear
+   /// everything.
+   KeptBearing FindBearing(mfem::real_t bearing_angle) const;
    /// Lets the points of the last search follow to where the surfaces are now.
    void Follow();
    /// Sets the derivatives where the surfaces were last, for pressures @a p
@@ -75,6 +89,8 @@ public:
    const mfem::HypreParMatrix &OutflowChange() const { return *outflow_change; }
 
 private:
+   /// What the points cover, of which faces bear @a shares (area).
+   mfem::Vector CoveredArea(const FaceShares &shares) const;
    /// What the points cover, and which vertices that leaves at the rim.
    void CoverRim();
    /// Values and maps of forces and flows.
@@ -90,7 +106,7 @@ private:
    BiphasicSpaces &spaces;
    SurfacePairing pairing;
    RimVertices rim;
-   mfem::real_t bearing_angle;
+   KeptBearing kept;
    GapOperators operators;
    mfem::Vector gap;
    /// 1 / a_j, 0 where nothing is hit.

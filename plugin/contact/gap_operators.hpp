@@ -24,7 +24,6 @@ struct GapOptions
    ContactNormal normal = ContactNormal::destination;
    /// See ContactTuning.
    mfem::real_t rim_coverage = ContactTuning().rim_coverage;
-   mfem::real_t bearing_angle = ContactTuning().bearing_angle;
 };
 
 /// The weighted gap and pressure jump between two surfaces, linear in the

@@ -47,15 +47,32 @@ RimVertices::RimVertices(const ContactSurface &destination_,
 }
 
 void RimVertices::Update(const SurfacePairing &pairing,
-                         const Vector &covered_area)
+                         const Vector &covered_area, const Vector &least)
 {
    Vector at_rim(destination.Vertices().Size());
    for (int j = 0; j < at_rim.Size(); j++)
    {
-      const bool little = covered_area[j] < rim_coverage * whole_area[j];
+      const real_t part = least.Size() > 0 ? least[j] : rim_coverage;
+      const bool little = covered_area[j] < part * whole_area[j];
       at_rim[j] = covered_area[j] > 0.0 && little ? 1.0 : 0.0;
    }
    UpdateThose(pairing, at_rim);
+}
+
+Vector RimVertices::KeepingParts(const Vector &covered_area) const
+{
+   constexpr real_t to_leave = 2.0;
+   constexpr real_t to_come = 0.25;
+   Vector parts(covered_area.Size());
+   for (int j = 0; j < parts.Size(); j++)
+   {
+      const bool little = covered_area[j] < rim_coverage * whole_area[j];
+      const real_t factor = covered_area[j] == 0.0 ? 1.0
+                            : little               ? to_leave
+                                                   : to_come;
+      parts[j] = factor * rim_coverage;
+   }
+   return parts;
 }
 
 void RimVertices::UpdateThose(const SurfacePairing &pairing,

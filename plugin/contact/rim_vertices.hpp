@@ -22,8 +22,13 @@ public:
                const mfem::Vector &whole_area, mfem::real_t rim_coverage);
 
    /// Finds them, for the points of @a pairing and the areas around vertices
-   /// that these make up. Collective.
-   void Update(const SurfacePairing &pairing, const mfem::Vector &covered_area);
+   /// that these make up. @a least: of each vertex, the part of its area that
+   /// must be covered; the same for all if that is empty. Collective.
+   void Update(const SurfacePairing &pairing, const mfem::Vector &covered_area,
+               const mfem::Vector &least = mfem::Vector());
+   /// Such parts which let vertices of the rim stay there, and others stay out
+   /// of it, while what is covered does not change by much.
+   mfem::Vector KeepingParts(const mfem::Vector &covered_area) const;
    /// The same for vertices that are given: those that are 1 in @a without.
    /// Collective.
    void UpdateThose(const SurfacePairing &pairing, const mfem::Vector &without);

@@ -64,8 +64,9 @@ SearchQuery SurfacePairing::Look(const PairedPoint &point) const
    return query;
 }
 
-void SurfacePairing::Segment()
+void SurfacePairing::Segment(const FaceShares &shares_)
 {
+   shares = shares_;
    normals.Update();
    const auto segments = SegmentSurface(
       source, destination, options.search_radius, options.quadrature_order);
@@ -108,14 +109,6 @@ void SurfacePairing::Segment()
    points.resize(kept);
    AskForFaces(search);
    drifted = false;
-}
-
-void SurfacePairing::SetShares(const std::vector<VertexShares> &shares)
-{
-   for (std::size_t i = 0; i < points.size(); i++)
-   {
-      points[i].share = shares[i];
-   }
 }
 
 void SurfacePairing::AskForFaces(const SurfaceSearch &search)
@@ -259,8 +252,7 @@ bool SurfacePairing::Follow()
    {
       const FaceName before = points[i].name;
       const bool on_face = Walk(points[i]);
-      drifted = drifted || !on_face || points[i].name != before ||
-                points[i].OverlapsUnborne();
+      drifted = drifted || !on_face || points[i].name != before;
       if (!on_face)
       {
          leaving.push_back(static_cast<int>(i));

@@ -5,14 +5,14 @@
 #include "synovia/contact/segmentation.hpp"
 #include "synovia/contact/surface_normals.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace synovia
 {
 
-/// Parts of the multipliers of the vertices of a destination face.
-using VertexShares = std::array<mfem::real_t, 4>;
+/// Of each destination face, the parts of its vertices' multipliers that it
+/// bears.
+using FaceShares = std::vector<std::array<mfem::real_t, 4>>;
 
 /// A quadrature point of the destination and the point of the source that its
 /// current normal n hits: x_A(xi) = x_B + gap n.
@@ -32,15 +32,8 @@ struct PairedPoint
    mfem::IntegrationPoint hit;
    /// Signed distance along the normal: negative where the surfaces overlap.
    mfem::real_t gap = 0.0;
-   /// What the point bears of them (BearingShares()).
-   VertexShares share{{1.0, 1.0, 1.0, 1.0}};
 
    bool Counts() const { return source >= 0; }
-   /// Whether the surfaces overlap there, and a vertex takes no part in it.
-   bool OverlapsUnborne() const
-   {
-      return gap < 0.0 && *std::min_element(share.begin(), share.end()) == 0.0;
-   }
 };
 
 /// Which points of two deforming surfaces see each other.
@@ -58,21 +51,24 @@ public:
    SurfacePairing(const ContactSurface &source,
                   const ContactSurface &destination, const GapOptions &options);
 
-   /// Makes points anew in the surfaces' current configuration. Collective.
-   void Segment();
-   /// Lets points bear what @a shares have, an entry a point as of
-   /// PairedPoint::share, until the next Segment().
-   void SetShares(const std::vector<VertexShares> &shares);
+   /// Makes points anew in the surfaces' current configuration. Faces bear
+   /// @a shares, everything if there are none. Collective.
+   void Segment(const FaceShares &shares = FaceShares());
    /// Finds what the points hit now that the surfaces have moved; says whether
    /// any left the source, so that there may be fewer. Collective.
    bool Follow();
    /// Whether points hit other faces than those that they were made for, or
-   /// none, so that segments don't follow the source's faces any more, or
-   /// overlap where they bear nothing. Collective.
+   /// none, so that segments don't follow the source's faces any more.
+   /// Collective.
    bool HasDrifted() const;
 
    const ContactSurface &Source() const { return source; }
    const ContactSurface &Destination() const { return destination; }
+   /// What a point of @a face bears of the multiplier of the face's vertex.
+   mfem::real_t Share(int face, int vertex) const
+   {
+      return shares.empty() ? 1.0 : shares[face][vertex];
+   }
    /// Face by face of the destination.
    const std::vector<PairedPoint> &Points() const { return points; }
    const SurfaceNormals &Normals() const { return normals; }
@@ -106,6 +102,7 @@ private:
    const ContactSurface &destination;
    GapOptions options;
    std::vector<PairedPoint> points;
+   FaceShares shares;
    SurfaceNormals normals;
    FaceHalo halo;
    /// Of the halo's faces: names, and faces that share a vertex.

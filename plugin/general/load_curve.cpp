@@ -57,6 +57,27 @@ bool LoadCurve::IsZero() const
                       [](real_t value) { return value == 0.0; });
 }
 
+LoadCurve LoadCurve::Repeated(int number) const
+{
+   if (number > 1 && (times.size() < 2 || values.front() != values.back()))
+   {
+      throw Error(
+         "a load curve that repeats must have two points at least, and "
+         "end with the value that it begins with");
+   }
+   LoadCurve all(*this);
+   const real_t period = times.back() - times.front();
+   for (int i = 1; i < number; i++)
+   {
+      for (std::size_t k = 1; k < times.size(); k++)
+      {
+         all.times.push_back(times[k] + i * period);
+         all.values.push_back(values[k]);
+      }
+   }
+   return all;
+}
+
 LoadCurve LoadCurve::Delayed(real_t delay) const
 {
    LoadCurve later(*this);

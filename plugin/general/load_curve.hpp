@@ -23,6 +23,10 @@ public:
    /// Whether it is zero at all times.
    bool IsZero() const;
 
+   /// The same @a number times, one after the other. If that is more than once,
+   /// throws Error where it does not end with the value that it begins with, or
+   /// has one point only.
+   LoadCurve Repeated(int number) const;
    /// The same, later by @a delay.
    LoadCurve Delayed(mfem::real_t delay) const;
 

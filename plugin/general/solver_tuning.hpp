@@ -32,11 +32,10 @@ struct ContactTuning
    /// In finite deformation, by how much larger an angle (radians) than where
    /// they face each other best around a vertex surfaces may turn away from
    /// each other and count wholly in its gap and bear its traction; where it is
-   /// four times as large they don't at all. Smaller, 0.25 say: at rounded
-   /// edges, gaps don't mix what touches with what never will, and the active
-   /// set doesn't go to and fro; but results depend on where a solve started,
-   /// as angles are those of its searches. Above pi: all counts.
-   mfem::real_t bearing_angle = 4.0;
+   /// twice as large they don't at all. Larger: at rounded edges, gaps mix what
+   /// touches with what never will, and the active set goes to and fro; above
+   /// pi: all counts.
+   mfem::real_t bearing_angle = 0.25;
    /// Part of a gap or jump that an augmentation may leave without the penalty
    /// being raised (Simo & Laursen, Comput Struct 42:97-116, 1992). Smaller:
    /// fewer augmentations with stiffer systems.
@@ -116,8 +115,12 @@ struct NewtonTuning
    /// Larger: points near an edge may take the set to and fro with them.
    int max_early_searches = 10;
    /// How often contact is searched anew in one solve because points have moved
-   /// on to other faces, once it has converged.
+   /// on to other faces, once the active set has settled.
    int max_searches = 3;
+   /// Part of the largest residual since the last search below which contact is
+   /// searched anew, or the tolerance if that is more. Smaller: iterations are
+   /// wasted on partners that change; larger: searches of what is still moving.
+   mfem::real_t search_accuracy = 1e-3;
    /// A search is followed by another one if it upset the balance by less than
    /// this part of what the one before it did. Larger: points near an edge may
    /// go back and forth until max_searches.

@@ -197,6 +197,17 @@ WorkCounts BiphasicOperator::Work() const
    return all;
 }
 
+void BiphasicOperator::BeginStep(const Vector &x)
+{
+   record.report = SolveReport();
+   const PhaseTimer timer(record.times.search, "search");
+   const Vector u(const_cast<Vector &>(x), 0, spaces.Offsets()[1]);
+   for (ContactPair *pair : pairs)
+   {
+      pair->StartStep(u);
+   }
+}
+
 void BiphasicOperator::AcceptStep()
 {
    accepted.rates = rates;

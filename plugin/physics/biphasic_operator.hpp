@@ -45,7 +45,8 @@ public:
    /// How the bodies come to where they start.
    const FirstApproach &Start() const { return start; }
 
-   void BeginStep() { record.report = SolveReport(); }
+   /// From the state @a x that was accepted last. Collective.
+   void BeginStep(const mfem::Vector &x);
    void AcceptStep();
    /// To be called before AcceptStep() where loads have a corner: the next step
    /// has other rates, and is not to be guessed from this one's.

@@ -36,14 +36,18 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       const StageContact::Violations violations = contact.FindViolations(stage);
       const real_t balance = AssessBalance(stage, tolerance);
       search.AddResidual(balance);
-      if (balance <= 1.0 && violations.within_tolerance && !set_changed)
+      const bool settled = violations.within_tolerance && !set_changed;
+      const bool converged = settled && balance <= 1.0;
+      const bool searched =
+         settled && (converged || search.IsNear(balance)) && search.Allows() &&
+         contact.SearchDrifted(stage, ContactStiffness::bodies);
+      if (converged && !searched)
       {
-         if (!search.Allows() ||
-             !contact.SearchDrifted(stage, ContactStiffness::bodies))
-         {
-            contact.SetTractions(ContactStiffness::none);
-            return true;
-         }
+         contact.SetTractions(ContactStiffness::none);
+         return true;
+      }
+      if (searched)
+      {
          search.Restart();
          iteration = 0;
          renewal.Restart();

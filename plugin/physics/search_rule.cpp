@@ -17,6 +17,11 @@ bool SearchRule::AllowsEarly()
    return searches == 0 && early_searches++ < tuning.max_early_searches;
 }
 
+bool SearchRule::IsNear(real_t norm) const
+{
+   return norm <= tuning.search_accuracy * last;
+}
+
 bool SearchRule::Allows() const
 {
    return searches < tuning.max_searches &&

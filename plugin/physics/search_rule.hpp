@@ -6,7 +6,7 @@ namespace synovia
 {
 
 /// When Newton's method searches contact anew within a solve: while the active
-/// set changes, in the first iterations, and once it has converged with the
+/// set changes, in the first iterations, and once it has settled with the
 /// partners there are, NewtonTuning::max_searches times at most. No more where
 /// searches undo each other, as for points near an edge, which go back and
 /// forth: where a search upset the balance nearly as much as the one before it.
@@ -20,7 +20,10 @@ public:
    /// Whether a set that has changed may be searched for at once; to be asked
    /// once for each change.
    bool AllowsEarly();
-   /// Whether a new search would lead anywhere, upon convergence.
+   /// Whether this residual is so small a part of what there was since the last
+   /// search that another one would upset it by more.
+   bool IsNear(mfem::real_t norm) const;
+   /// Whether a new search of a settled set would lead anywhere.
    bool Allows() const;
    /// Contact was searched anew.
    void Restart();

@@ -308,7 +308,7 @@ StepReport TimeStepper::Step()
       Attempt result(state);
       result.step.dt = report.dt = target - time;
       const int first_solve = recorder.Solves();
-      op.BeginStep();
+      op.BeginStep(state);
       report.converged = options.adaptive && !smooth
                             ? AdvanceInHalves(report.dt, result)
                             : Advance(report.dt, result);

@@ -18,7 +18,7 @@ March::March(BiphasicProblem &problem)
 bool March::Step(ODESolver &solver, real_t dt)
 {
    solver.Init(op);
-   op.BeginStep();
+   op.BeginStep(state);
    solver.Step(state, time, dt);
    const bool converged = op.Report().converged;
    if (converged)

@@ -21,9 +21,9 @@ namespace
 constexpr real_t fold = 0.5;
 constexpr real_t slope = 0.5;
 constexpr real_t distance = 0.01;
-// Less than a quarter of the angle of the fold, more than that, and any.
+// Less than half of the angle of the fold, more than that, and any.
 constexpr real_t narrow = 0.1;
-constexpr real_t middling = 0.2;
+constexpr real_t middling = 0.3;
 constexpr real_t any = 1e3;
 
 /// What the vertices on the fold have, each of which is on a rim of the surface
@@ -72,10 +72,10 @@ FoldValues FindFoldValues(int upper_faces, real_t bearing_angle)
 
    GapOptions options;
    options.search_radius = 1.0;
-   options.bearing_angle = bearing_angle;
    const Vector areas = NodalAreas(destination);
    FiniteGap gap(source, destination, areas, options);
    gap.Search();
+   gap.Search(gap.FindBearing(bearing_angle));
 
    FoldValues values;
    const Vector positions = NodePositions(spaces.Displacement());

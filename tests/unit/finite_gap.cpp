@@ -24,6 +24,8 @@ namespace
 constexpr real_t difference_step = 1e-6;
 constexpr real_t difference_tolerance = 1e-7;
 constexpr real_t round_off = 1e-12;
+// So small that faces bear parts.
+constexpr real_t bearing_angle = 0.02;
 
 struct Shape
 {
@@ -99,6 +101,7 @@ public:
    {
       Move(u);
       gap.Search();
+      gap.Search(gap.FindBearing(bearing_angle));
    }
    void Follow(const Vector &u)
    {
@@ -140,8 +143,6 @@ private:
    {
       GapOptions options;
       options.search_radius = 0.4;
-      // So small that points bear parts.
-      options.bearing_angle = 0.02;
       return options;
    }
 };

@@ -50,6 +50,26 @@ TEST_CASE("A ramp rises and holds")
    CHECK(ramp(501.0) == -0.075);
 }
 
+TEST_CASE("A load curve repeats one period after the other")
+{
+   const LoadCurve curve({1.0, 2.0, 4.0}, {10.0, -10.0, 10.0});
+   const LoadCurve thrice = curve.Repeated(3);
+   CHECK(thrice.Corners() ==
+         std::vector<real_t>{1.0, 2.0, 4.0, 5.0, 7.0, 8.0, 10.0});
+   for (const real_t t : {1.0, 1.5, 2.0, 3.5})
+   {
+      CHECK(thrice(t + 3.0) == Approx(curve(t)));
+      CHECK(thrice(t + 6.0) == Approx(curve(t)));
+   }
+   CHECK(thrice(0.0) == 10.0);
+   CHECK(thrice(20.0) == 10.0);
+   CHECK(curve.Repeated(1).Corners() == curve.Corners());
+   CHECK(LoadCurve(3.0).Repeated(1)(5.0) == 3.0);
+   CHECK_THROWS_WITH(Ramp(1.0, 2.0).Repeated(2),
+                     Catch::Contains("end with the value that it begins with"));
+   CHECK_THROWS_AS(LoadCurve(3.0).Repeated(2), Error);
+}
+
 TEST_CASE("Load curves that make no sense are refused")
 {
    const real_t nan = std::numeric_limits<real_t>::quiet_NaN();

@@ -93,6 +93,22 @@ TEST_CASE("Contact is searched anew no more often than the tuning says")
    CHECK_FALSE(rule.Allows());
 }
 
+TEST_CASE("Contact is searched anew once the residual is a small part of what "
+          "the last search made")
+{
+   NewtonTuning tuning;
+   tuning.search_accuracy = 1e-3;
+   SearchRule rule(tuning);
+   rule.AddResidual(1e6);
+   rule.AddResidual(2e3);
+   CHECK_FALSE(rule.IsNear(2e3));
+   CHECK(rule.IsNear(1e3));
+   rule.Restart();
+   rule.AddResidual(1e4);
+   CHECK_FALSE(rule.IsNear(1e3));
+   CHECK(rule.IsNear(10.0));
+}
+
 TEST_CASE("Without searches contact is searched only with the step")
 {
    NewtonTuning tuning;

@@ -19,6 +19,7 @@ sys.path[:0] = [str(ROOT / name)
 sys.dont_write_bytecode = True
 import knee_run  # noqa: E402
 import plot_knee_body_weight as plot  # noqa: E402
+import tibial_contact as tibia  # noqa: E402
 from knee_run import PAIRS, Knee  # noqa: E402
 from synovia_output import Output  # noqa: E402
 from synthetic_output import write_collection, write_csv  # noqa: E402
@@ -30,23 +31,27 @@ SUPPORT = {"femur-tibia-medial": 0.9, "femur-tibia-lateral": 0.8,
            "tibia-meniscus-medial": 0.6, "tibia-meniscus-lateral": 0.5}
 
 
-def write_output(folder: pathlib.Path) -> None:
-    columns = {"t": TIMES, "fluid.peak_pressure": 1.2 * RAMP,
-               "rigid_body.femur.translation_z": -0.5 * RAMP}
+def write_output(folder: pathlib.Path, times: np.ndarray = TIMES,
+                 ramp: np.ndarray = RAMP) -> None:
+    """The knee's forces times the ramp, and fields of all times but the first.
+    """
+    columns = {"t": times, "fluid.peak_pressure": 1.2 * ramp,
+               "rigid_body.femur.rotation_x": 0.2 * ramp,
+               "rigid_body.femur.translation_z": -0.5 * ramp}
     for pair in PAIRS:
         sign = 1 if pair.startswith("tibia-") else -1
         columns |= {
-            f"contact.{pair}.force_x": 0 * TIMES,
-            f"contact.{pair}.force_y": 0 * TIMES,
-            f"contact.{pair}.force_z": sign * FORCES[pair] * RAMP,
-            f"contact.{pair}.area": 2 * FORCES[pair] * RAMP,
-            f"contact.{pair}.peak_traction": 0.1 * FORCES[pair] * RAMP,
+            f"contact.{pair}.force_x": 0 * times,
+            f"contact.{pair}.force_y": 0 * times,
+            f"contact.{pair}.force_z": sign * FORCES[pair] * ramp,
+            f"contact.{pair}.area": 2 * FORCES[pair] * ramp,
+            f"contact.{pair}.peak_traction": 0.1 * FORCES[pair] * ramp,
             f"contact.{pair}.fluid_load_support":
-                np.full(3, SUPPORT.get(pair, 0.0))}
+                np.full(len(times), SUPPORT.get(pair, 0.0))}
     write_csv(folder / "history.csv", columns)
     grids = bodies()
     write_collection(folder, "bodies", {t: list(grids.values())
-                                        for t in TIMES[1:]})
+                                        for t in times[1:]})
     for pair in PAIRS:
         kind, side = pair.rsplit("-", 1)
         name = knee_run.DESTINATIONS.get(kind, "meniscus") + "_" + side
@@ -54,7 +59,7 @@ def write_output(folder: pathlib.Path) -> None:
         surface["contact_pressure"] = np.maximum(
             0.1 * FORCES[pair] - 0.05 * abs(surface.points[:, 1]), 0)
         write_collection(folder, f"contact_{pair}",
-                         {t: [surface] for t in TIMES[1:]})
+                         {t: [surface] for t in times[1:]})
 
 
 class PlotKneeBodyWeight(unittest.TestCase):
@@ -89,14 +94,14 @@ class PlotKneeBodyWeight(unittest.TestCase):
         knee = self.knee()
         on_tibia = [pair for pair in FORCES if "tibia" in pair]
         total = sum(FORCES[pair] for pair in on_tibia)
-        np.testing.assert_allclose(plot.area(knee), 2 * total * RAMP)
-        np.testing.assert_allclose(plot.peak_stress(knee), 4.1 * RAMP)
+        np.testing.assert_allclose(tibia.area(knee), 2 * total * RAMP)
+        np.testing.assert_allclose(tibia.peak_stress(knee), 4.1 * RAMP)
         fluid = sum(FORCES[pair] * SUPPORT[pair] for pair in on_tibia)
-        np.testing.assert_allclose(plot.fluid_share(knee),
+        np.testing.assert_allclose(tibia.fluid_share(knee),
                                    100 * fluid / total)
 
     def test_maps_have_the_pressure_of_each_surface(self):
-        maps = plot.pressure_maps(self.knee(), 1.0)
+        maps = tibia.pressure_maps(self.knee(), 1.0)
         self.assertEqual(set(maps), set(SUPPORT))
         for pair, (_, _, pressure) in maps.items():
             self.assertLessEqual(pressure.max(), 0.1 * FORCES[pair] + 1e-6)

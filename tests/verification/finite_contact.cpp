@@ -288,8 +288,8 @@ public:
    }
 
    static constexpr real_t press_time = long_time;
-   // Times press_time: when all is at rest.
-   static constexpr real_t turn_start = 1.6;
+   // Times press_time: when all is at rest, and what faces bear, too.
+   static constexpr real_t turn_start = 2.6;
    // Times press_time: how long a quarter of a turn takes.
    static constexpr real_t turns = 2.0;
 };
