@@ -41,7 +41,7 @@ from synovia_output import Output, OutputError  # noqa: E402
 
 BEGIN, PERIOD = 0.2, 1.0            # of the first cycle, s
 STANCE = 0.6                        # its part, s
-PEAKS = (0.14, 0.47)                # of the force, in a cycle
+PEAKS = (0.15, 0.45)                # of the force, in a cycle
 BODY = "rigid_body.femur."
 FIRST = {"linestyle": (0, (4, 1.5))}
 LAST = {"linestyle": "-"}

@@ -37,6 +37,12 @@ LIGHT = {
     "knee_body_weight.toml": [
         "rigid_body.femur.force=[0, 0, {times = [0, 1], values = [0, -7]}]",
         "step.hold.duration=1"],
+    "knee_stance.toml": [
+        "rigid_body.femur.force=[0, 0, {times = [0, 0.2], values = [0, -4]}]",
+        'rigid_body.femur.rotation=[0, "free", "free"]',
+        "step.gait.duration=0.02",
+        "step.gait.rigid_body.femur.force=[0, 0, -4]",
+        'step.gait.rigid_body.femur.rotation=[0, "free", "free"]'],
     "glenohumeral_finite.toml": [
         "boundary.humeral_bone.displacement=[0, 0, "
         "{times = [0, 10], values = [0, -0.02]}]"],

@@ -454,8 +454,8 @@ def main() -> None:
     for case in shipped:
         check("penalty" not in case.read_text(), f"{case.name}: no penalty")
     # test_knee.py runs the one and checks the other, test_knee_body_weight.py
-    # runs the third.
-    check(run_cases | {"knee", "knee_finite", "knee_body_weight"}
+    # and test_knee_stance.py run the others.
+    check(run_cases | {"knee", "knee_finite", "knee_body_weight", "knee_stance"}
           == {case.stem for case in shipped} | {"case"},
           "all cases were run")
     finish()
