@@ -134,30 +134,6 @@ def panels_of(knee: Knee) -> dict:
         "approach": lambda axes: approach(axes, knee)}
 
 
-def draw(knee: Knee, folder: pathlib.Path) -> None:
-    style.use_style()
-    panels = panels_of(knee)
-    for name, panel in panels.items():
-        is_map = name.startswith("pressure")
-        figure, axes = plt.subplots(figsize=(5.0, 3.6) if is_map
-                                    else (3.4, 3.0))
-        panel(axes)
-        if name in ("area", "peak"):
-            area_legend(figure)
-        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
-        plt.close(figure)
-    figure = plt.figure(figsize=(11.0, 7.0))
-    maps, curves = figure.subfigures(2, 1, height_ratios=(3.9, 3.1))
-    places = [*maps.subplots(1, 2), *curves.subplots(1, 4)]
-    for letter, axes, panel in zip("abcdef", places, panels.values()):
-        panel(axes)
-        axes.set_title(f"({letter}) {axes.get_title(loc='left')}",
-                       pad=14 if letter in "ab" else None)
-    area_legend(curves)
-    figure.savefig(folder / "knee_body_weight.png", dpi=200)
-    plt.close(figure)
-
-
 def findings(knee: Knee) -> str:
     t = knee.history["t"]
     lines = []
@@ -178,7 +154,8 @@ def findings(knee: Knee) -> str:
 
 def pictures(out: Output, folder: pathlib.Path) -> str:
     knee = Knee(out, LOADED)
-    draw(knee, folder)
+    tibia.draw_panels(panels_of(knee), folder, "knee_body_weight", 11.0,
+                      area_legend, ("area", "peak"))
     return findings(knee)
 
 

@@ -171,30 +171,6 @@ def panels_of(gait: Gait) -> dict:
         "approach": lambda axes: approach(axes, gait)}
 
 
-def draw(gait: Gait, folder: pathlib.Path) -> None:
-    style.use_style()
-    panels = panels_of(gait)
-    for name, panel in panels.items():
-        is_map = name.startswith("pressure")
-        figure, axes = plt.subplots(figsize=(5.0, 3.6) if is_map
-                                    else (3.4, 3.0))
-        panel(axes)
-        if name in ("area", "peak", "shares"):
-            legend(figure, gait)
-        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
-        plt.close(figure)
-    figure = plt.figure(figsize=(12.5, 7.0))
-    maps, curves = figure.subfigures(2, 1, height_ratios=(3.9, 3.1))
-    places = [*maps.subplots(1, 2), *curves.subplots(1, 5)]
-    for letter, axes, panel in zip("abcdefg", places, panels.values()):
-        panel(axes)
-        axes.set_title(f"({letter}) {axes.get_title(loc='left')}",
-                       pad=14 if letter in "ab" else None)
-    legend(curves, gait)
-    figure.savefig(folder / "knee_stance.png", dpi=200)
-    plt.close(figure)
-
-
 def findings(gait: Gait) -> str:
     knee = gait.knee
     lines = []
@@ -219,7 +195,9 @@ def findings(gait: Gait) -> str:
 
 def pictures(out: Output, folder: pathlib.Path) -> str:
     gait = Gait(out)
-    draw(gait, folder)
+    tibia.draw_panels(panels_of(gait), folder, "knee_stance", 12.5,
+                      lambda figure: legend(figure, gait),
+                      ("area", "peak", "shares"))
     return findings(gait)
 
 

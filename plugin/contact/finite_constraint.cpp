@@ -134,7 +134,6 @@ void FiniteConstraint::StartStep(const Vector &u)
    {
       kept.least_coverage.SetSize(0);
    }
-   searched_anew.reset();
 }
 
 bool FiniteConstraint::Search(const Vector &u)

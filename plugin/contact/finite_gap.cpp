@@ -26,9 +26,9 @@ FiniteGap::FiniteGap(const ContactSurface &source,
 {
 }
 
-void FiniteGap::Search(const KeptBearing &kept_)
+void FiniteGap::Search(const KeptBearing &kept)
 {
-   kept = kept_;
+   least_coverage = kept.least_coverage;
    pairing.Segment(kept.shares);
    CoverRim();
    Assemble();
@@ -63,9 +63,9 @@ Vector FiniteGap::CoveredArea(const FaceShares &shares) const
    for (const PairedPoint &point : pairing.Points())
    {
       destination.GetVertexShapes(point.face, point.ip, shapes);
-      for (int j = 0; j < shapes.Size() && !shares.empty(); j++)
+      for (int j = 0; j < shapes.Size(); j++)
       {
-         shapes[j] *= shares[point.face][j];
+         shapes[j] *= ShareOf(shares, point.face, j);
       }
       covered.Add(destination.Faces()[point.face].Vertices(), point.area,
                   shapes);
@@ -76,7 +76,10 @@ Vector FiniteGap::CoveredArea(const FaceShares &shares) const
 void FiniteGap::CoverRim()
 {
    operators.own_area = CoveredArea(FaceShares());
-   rim.Update(pairing, CoveredArea(kept.shares), kept.least_coverage);
+   const FaceShares &shares = pairing.Shares();
+   rim.Update(pairing,
+              shares.empty() ? operators.own_area : CoveredArea(shares),
+              least_coverage);
 }
 
 void FiniteGap::Assemble()

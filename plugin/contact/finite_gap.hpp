@@ -106,7 +106,8 @@ private:
    BiphasicSpaces &spaces;
    SurfacePairing pairing;
    RimVertices rim;
-   KeptBearing kept;
+   /// As KeptBearing has it.
+   mfem::Vector least_coverage;
    GapOperators operators;
    mfem::Vector gap;
    /// 1 / a_j, 0 where nothing is hit.

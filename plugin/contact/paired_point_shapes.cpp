@@ -89,7 +89,7 @@ void PairedPointShapes::Evaluate(const PairedPoint &point)
    multiplier = m;
    for (int j = 0; j < m.Size(); j++)
    {
-      multiplier[j] *= pairing.Share(point.face, j);
+      multiplier[j] *= ShareOf(pairing.Shares(), point.face, j);
    }
    SetShapes(other, point.hit, source_u, source_p, source_m);
    const Point3 sum =

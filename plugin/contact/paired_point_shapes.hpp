@@ -42,8 +42,8 @@ public:
    const mfem::Vector &DestinationDisplacement() const { return u; }
    const mfem::Vector &DestinationPressure() const { return p; }
    const mfem::Vector &VertexShapes() const { return m; }
-   /// What the multipliers of the vertices have there: SurfacePairing::Share()
-   /// of the vertices' shape functions.
+   /// What the multipliers of the vertices have there: ShareOf() the
+   /// vertices' shape functions.
    const mfem::Vector &Multiplier() const { return multiplier; }
 
    /// Nodes of the source's face x 2: by xi and eta.

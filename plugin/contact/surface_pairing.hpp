@@ -14,6 +14,12 @@ namespace synovia
 /// bears.
 using FaceShares = std::vector<std::array<mfem::real_t, 4>>;
 
+/// Of one vertex of a face; everything if there are no shares.
+inline mfem::real_t ShareOf(const FaceShares &shares, int face, int vertex)
+{
+   return shares.empty() ? 1.0 : shares[face][vertex];
+}
+
 /// A quadrature point of the destination and the point of the source that its
 /// current normal n hits: x_A(xi) = x_B + gap n.
 struct PairedPoint
@@ -64,11 +70,8 @@ public:
 
    const ContactSurface &Source() const { return source; }
    const ContactSurface &Destination() const { return destination; }
-   /// What a point of @a face bears of the multiplier of the face's vertex.
-   mfem::real_t Share(int face, int vertex) const
-   {
-      return shares.empty() ? 1.0 : shares[face][vertex];
-   }
+   /// Of the last Segment().
+   const FaceShares &Shares() const { return shares; }
    /// Face by face of the destination.
    const std::vector<PairedPoint> &Points() const { return points; }
    const SurfaceNormals &Normals() const { return normals; }

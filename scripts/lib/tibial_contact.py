@@ -6,7 +6,11 @@ Units are mm, N, MPa.
 
 from __future__ import annotations
 
+import pathlib
+from collections.abc import Callable
+
 import numpy as np
+from matplotlib.figure import FigureBase
 from matplotlib.tri import Triangulation
 
 import figure_style as style
@@ -105,3 +109,37 @@ def upright(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     a, b, c = (points[triangles[:, k]] for k in range(3))
     doubled = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
     return triangles[np.abs(doubled) > 1e-6 * np.abs(doubled).max()]
+
+
+def draw_panels(panels: dict[str, Callable[[plt.Axes], None]],
+                folder: pathlib.Path, whole: str, width: float,
+                legend: Callable[[FigureBase], None],
+                with_legend: tuple[str, ...]) -> None:
+    """A picture of each panel, and one of all, as wide as given (inches).
+
+    Two maps, whose names begin with "pressure", come first; the others stand
+    below them with the legend, which some have of their own, too.
+    """
+    style.use_style()
+    for name, panel in panels.items():
+        figure, axes = plt.subplots(figsize=(5.0, 3.6) if is_map(name)
+                                    else (3.4, 3.0))
+        panel(axes)
+        if name in with_legend:
+            legend(figure)
+        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
+        plt.close(figure)
+    figure = plt.figure(figsize=(width, 7.0))
+    maps, curves = figure.subfigures(2, 1, height_ratios=(3.9, 3.1))
+    places = [*maps.subplots(1, 2), *curves.subplots(1, len(panels) - 2)]
+    for i, (name, axes) in enumerate(zip(panels, places)):
+        panels[name](axes)
+        axes.set_title(f"({'abcdefgh'[i]}) {axes.get_title(loc='left')}",
+                       pad=14 if is_map(name) else None)
+    legend(curves)
+    figure.savefig(folder / f"{whole}.png", dpi=200)
+    plt.close(figure)
+
+
+def is_map(panel: str) -> bool:
+    return panel.startswith("pressure")

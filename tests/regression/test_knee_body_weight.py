@@ -34,8 +34,7 @@ def on_femur(row: dict[str, float], axis: str) -> float:
     return sum(row[f"{pair}source_force_{axis}"] for pair in ON_FEMUR)
 
 
-def check_balance(row: dict[str, float]) -> None:
-    load = SPEED * min(row["t"], LOADED)
+def check_balance(row: dict[str, float], load: float) -> None:
     worst = max(abs(row[f"rigid_body.femur.force_{axis}"]
                     + on_femur(row, axis)) for axis in "xyz")
     check(worst <= 1e-8 * load, f"{row['t']:g} s: the femur's forces balance "
@@ -78,7 +77,7 @@ def main() -> None:
         rows = history(directory / "out")
         check(len(rows) == 4, f"{len(rows)} steps, none was cut")
         for row in rows:
-            check_balance(row)
+            check_balance(row, SPEED * min(row["t"], LOADED))
             check_knee(row)
         way = [-row["rigid_body.femur.translation_z"] for row in rows]
         check(all(a < b for a, b in zip(way, way[1:])),
