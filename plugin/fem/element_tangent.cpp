@@ -69,6 +69,13 @@ void ElementTangent::AddSupply(BodyElement &element, const FluidSupply &supply,
    AddMultABt(shapes, supplies, darcy);
 }
 
+void ElementTangent::AddMeanCoupling(BodyElement &element)
+{
+   Vector mean_change;
+   permeability.GetMeanChange(element, mean_change);
+   AddMultVWt(mean_flow, mean_change, flow_change);
+}
+
 bool ElementTangent::Compute(BodyElement &element, const Material &material,
                              real_t dt)
 {
@@ -87,7 +94,14 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
    volume_changes.SetSize(3 * nodes, points);
    flow_changes.SetSize(3 * nodes, 3 * points);
    flows.SetSize(p_dofs, 3 * points);
+   mean_flow.SetSize(p_dofs);
+   mean_flow = 0.0;
+   if (wet)
+   {
+      permeability.Set(element);
+   }
    Tensor3<> value;
+   Tensor3<> by_mean{};
    Tangent3 tangent;
    for (int q = 0; q < points; q++)
    {
@@ -117,18 +131,24 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
       }
       ContractGradients(weight * Cofactor(F), gradients, q,
                         volume_changes.GetColumn(q));
-      if (!material.permeability->GetReferential(element.Point(q), F, value,
-                                                 &tangent))
+      if (!permeability.Linearize(element, *material.permeability, q, value,
+                                  tangent, by_mean))
       {
          return false;
       }
       tangent = (weight * dt) * tangent;
       value = weight * value;
       const Vector3<> grad_p = element.PressureGradient(q);
+      const Vector3<> mean_flux = (weight * dt) * Product(by_mean, grad_p);
       for (int a = 0; a < 3; a++)
       {
          ContractGradients(FlowChange(tangent, grad_p, a), gradients, q,
                            flow_changes.GetColumn(3 * q + a));
+         const real_t *const gradient = p_gradients.GetColumn(3 * q + a);
+         for (int k = 0; k < p_dofs; k++)
+         {
+            mean_flow[k] += mean_flux[a] * gradient[k];
+         }
       }
       ContractGradients(value, p_gradients, q, flows.GetColumn(3 * q));
    }
@@ -160,6 +180,10 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
    }
    MultABt(element.PressureShapes(), volume_changes, growth);
    MultABt(p_gradients, flow_changes, flow_change);
+   if (permeability.HasMean())
+   {
+      AddMeanCoupling(element);
+   }
    MultABt(p_gradients, flows, darcy);
    if (material.HasSupply())
    {

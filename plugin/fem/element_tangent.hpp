@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/fem/body_element.hpp"
+#include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/mean_dilatation.hpp"
 #include "synovia/materials/material_table.hpp"
 
@@ -18,6 +19,10 @@ namespace synovia
 class ElementTangent
 {
 public:
+   explicit ElementTangent(const BiphasicSpaces &spaces) : permeability(spaces)
+   {
+   }
+
    /// Of the element that @a element is set to; false if its state is one that
    /// a law does not allow.
    bool Compute(BodyElement &element, const Material &material,
@@ -35,6 +40,7 @@ private:
                         int point, Tangent3 &solid);
 
    MeanDilatation mean_dilatation;
+   ElementPermeability permeability;
    // Gradients of shape functions contracted with tensors, all points beside
    // each other: factors of the products that make the matrices.
    mfem::DenseMatrix stress_changes;
@@ -43,7 +49,11 @@ private:
    mfem::DenseMatrix flows;
    mfem::DenseMatrix supplies;
    mfem::DenseMatrix stiffness_rows;
+   /// The change of what flows to nodes with the mean volume ratio.
+   mfem::Vector mean_flow;
 
+   /// Adds what the mean's change with all points' deformation makes flow.
+   void AddMeanCoupling(BodyElement &element);
    /// Adds what the supply changes, with the other terms there already.
    void AddSupply(BodyElement &element, const FluidSupply &supply,
                   mfem::real_t dt);

@@ -94,7 +94,7 @@ GravityLoads::GravityLoads(BiphasicSpaces &spaces_,
                            const MaterialTable &materials_,
                            const std::array<LoadCurve, 3> &acceleration_)
    : spaces(spaces_), materials(materials_), acceleration(acceleration_),
-     element(spaces)
+     element(spaces), permeability(spaces)
 {
 }
 
@@ -145,6 +145,7 @@ void GravityLoads::AddLoads(const FollowerLoads::State &state, Vector &forces,
       local = 0.0;
       flows.SetSize(element.PressureDofs().Size());
       flows = 0.0;
+      permeability.Set(element);
       for (int q = 0; q < element.Points(); q++)
       {
          const Tensor3<> F = element.DeformationGradient(q);
@@ -158,8 +159,8 @@ void GravityLoads::AddLoads(const FollowerLoads::State &state, Vector &forces,
             continue;
          }
          Tensor3<> conductance;
-         const bool known = material.permeability->GetReferential(
-            element.Point(q), F, conductance, nullptr);
+         const bool known =
+            permeability.Get(element, *material.permeability, q, conductance);
          const real_t scale = known ? element.Weight(q) * material.fluid_density
                                     : std::numeric_limits<real_t>::quiet_NaN();
          const Vector3<> flow = Product(conductance, PulledBack(F, b));
@@ -185,6 +186,7 @@ void GravityLoads::AddDerivatives(const FollowerLoads::State &state,
    DenseMatrix forces;
    DenseMatrix flows;
    Vector change;
+   Vector mean_flow;
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
       const Material &material =
@@ -203,6 +205,9 @@ void GravityLoads::AddDerivatives(const FollowerLoads::State &state,
       forces = 0.0;
       flows = 0.0;
       change.SetSize(3 * nodes);
+      mean_flow.SetSize(p_gradients.Height());
+      mean_flow = 0.0;
+      permeability.Set(element);
       for (int q = 0; q < element.Points(); q++)
       {
          const Tensor3<> F = element.DeformationGradient(q);
@@ -217,13 +222,16 @@ void GravityLoads::AddDerivatives(const FollowerLoads::State &state,
             }
          }
          Tensor3<> conductance;
+         Tensor3<> by_mean{};
          Tangent3 tangent;
-         if (!material.permeability->GetReferential(element.Point(q), F,
-                                                    conductance, &tangent))
+         if (!permeability.Linearize(element, *material.permeability, q,
+                                     conductance, tangent, by_mean))
          {
             continue;
          }
          const Vector3<> way = PulledBack(F, b);
+         const Vector3<> mean_flux =
+            (weight * state.dt) * Product(by_mean, way);
          for (int a = 0; a < 3; a++)
          {
             Tensor3<> by_F{};
@@ -246,7 +254,16 @@ void GravityLoads::AddDerivatives(const FollowerLoads::State &state,
                   flows(k, j) -= p_gradients(k, 3 * q + a) * change[j];
                }
             }
+            for (int k = 0; k < mean_flow.Size(); k++)
+            {
+               mean_flow[k] -= p_gradients(k, 3 * q + a) * mean_flux[a];
+            }
          }
+      }
+      if (permeability.HasMean())
+      {
+         permeability.GetMeanChange(element, change);
+         AddMultVWt(mean_flow, change, flows);
       }
       stiffness.Add(e, forces);
       flow_change.Add(e, flows);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "synovia/fem/body_element.hpp"
+#include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/follower_loads.hpp"
 #include "synovia/materials/material_table.hpp"
 
@@ -43,6 +44,7 @@ private:
    const MaterialTable &materials;
    std::array<LoadCurve, 3> acceleration;
    mutable BodyElement element;
+   mutable ElementPermeability permeability;
    mutable std::map<mfem::Geometry::Type, mfem::DenseMatrix> shapes_of;
 };
 

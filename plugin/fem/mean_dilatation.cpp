@@ -22,20 +22,6 @@ real_t DoubleContraction(const Tensor3<> &A, const Tensor3<> &B)
    return sum;
 }
 
-// dP : F, the sum over the derivative's second pair of indices.
-Tensor3<> AlongDeformation(const Tangent3 &tangent, const Tensor3<> &F)
-{
-   Tensor3<> change{};
-   for (int k = 0; k < 9; k++)
-   {
-      for (int l = 0; l < 9; l++)
-      {
-         change[k / 3][k % 3] += tangent[k][l] * F[l / 3][l % 3];
-      }
-   }
-   return change;
-}
-
 // F : dP, the sum over the first.
 Tensor3<> WorkChange(const Tangent3 &tangent, const Tensor3<> &F)
 {

@@ -47,8 +47,8 @@ TotalLagrangianForm::TotalLagrangianForm(
      growth(spaces.Pressure(), spaces.Displacement()),
      divergence(spaces.Pressure(), spaces.Displacement()),
      darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
-     u(spaces.Displacement().GetVSize()), u0(u.Size()),
-     p(spaces.Pressure().GetVSize())
+     tangent(spaces), permeability(spaces), u(spaces.Displacement().GetVSize()),
+     u0(u.Size()), p(spaces.Pressure().GetVSize())
 {
    matrices.symmetric = false;
    if (matrices.stabilization)
@@ -291,6 +291,10 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage) const
    const bool mean_possible =
       !material.mean_dilatation ||
       mean_dilatation.Evaluate(element, *material.solid);
+   if (wet)
+   {
+      permeability.Set(element);
+   }
    DenseMatrix stresses(3 * points, 3);
    Vector growths(points);
    Vector supplies(points);
@@ -302,11 +306,11 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage) const
       const Tensor3<> F = element.DeformationGradient(q);
       const Tensor3<> cofactor = Cofactor(F);
       const real_t J = Determinant(F, cofactor);
-      const MaterialPoint point = element.Point(q);
-      const bool possible = mean_possible && J > material.LeastVolumeRatio() &&
-                            GetStress(material, q, F, stress) &&
-                            (!wet || material.permeability->GetReferential(
-                                        point, F, conductance, nullptr));
+      const bool possible =
+         mean_possible && J > 0.0 && GetStress(material, q, F, stress) &&
+         (!wet ||
+          (permeability.VolumeRatio(q) > material.solid_fraction &&
+           permeability.Get(element, *material.permeability, q, conductance)));
       const real_t weight = possible ? element.Weight(q)
                                      : std::numeric_limits<real_t>::quiet_NaN();
       const Vector3<> flow = Product(conductance, element.PressureGradient(q));

@@ -2,6 +2,7 @@
 
 #include "synovia/fem/body_element.hpp"
 #include "synovia/fem/body_form.hpp"
+#include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/element_tangent.hpp"
 #include "synovia/fem/evaluated_balance.hpp"
 #include "synovia/fem/follower_loads.hpp"
@@ -25,7 +26,7 @@ namespace synovia
 ///
 /// less FollowerLoads and GravityLoads, with F = I + grad u, the pressure p of
 /// the fluid in space, and J_0 what the stage begins with: fluid is conserved
-/// to round-off, whatever the step.
+/// to round-off, whatever the step. K is an ElementPermeability.
 class TotalLagrangianForm : public BodyForm
 {
 public:
@@ -129,6 +130,7 @@ private:
    std::unique_ptr<BodyElement> straight_element;
    ElementTangent tangent;
    mutable MeanDilatation mean_dilatation;
+   mutable ElementPermeability permeability;
    /// What Evaluate() sums: local dofs, and all points.
    struct LocalSums
    {

@@ -23,6 +23,7 @@ std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
          continue;
       }
       element.Set(e, u, p);
+      permeability.Set(element);
       for (int q = 0; q < element.Points() && failure.empty(); q++)
       {
          failure = ValidatePoint(e, q);
@@ -42,7 +43,8 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
    {
       what = "is turned inside out";
    }
-   else if (!(J > material.LeastVolumeRatio()))
+   else if (material.HasFluid() &&
+            !(permeability.VolumeRatio(point) > material.solid_fraction))
    {
       what = "has no pores left, as its solid fraction is " +
              ToText(material.solid_fraction);
@@ -53,8 +55,8 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
    {
       what = "has no finite stress";
    }
-   else if (material.HasFluid() && !material.permeability->GetReferential(
-                                      element.Point(point), F, value, nullptr))
+   else if (material.HasFluid() &&
+            !permeability.Get(element, *material.permeability, point, value))
    {
       what = "has no permeability";
    }
@@ -62,12 +64,17 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
    {
       return "";
    }
+   const std::string mean = permeability.HasMean() && material.HasFluid()
+                               ? ", " +
+                                    ToText(permeability.VolumeRatio(point)) +
+                                    " in the mean of the element"
+                               : "";
    const Vector x = element.Position(point);
    return "the body " + what + " at (" + ToText(x[0]) + ", " + ToText(x[1]) +
           ", " + ToText(x[2]) + "), as meshed, in element " +
           std::to_string(mesh.SerialElements()[number]) + " of \"" +
           NameOf(mesh.Regions(), element.Attribute()) +
-          "\": det F = " + ToText(J);
+          "\": det F = " + ToText(J) + mean;
 }
 
 } // namespace synovia

@@ -1,4 +1,5 @@
 #include "synovia/fem/body_element.hpp"
+#include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/mean_dilatation.hpp"
 #include "synovia/io/log_rows.hpp"
 
@@ -121,7 +122,8 @@ class ElementRows : public LogRows
 {
 public:
    ElementRows(const LogDefinition &log_, BiphasicProblem &problem_)
-      : log(log_), problem(problem_), element(problem.Spaces())
+      : log(log_), problem(problem_), element(problem.Spaces()),
+        permeability(problem.Spaces())
    {
       NamedMesh &mesh = problem.Mesh();
       VerifyLogged(log, mesh.Numbers().elements, mesh.GetComm());
@@ -142,6 +144,7 @@ public:
          {
             mean_dilatation.Evaluate(element, *material.solid);
          }
+         permeability.Set(element);
          ElementValues mean;
          for (int q = 0; q < element.Points(); q++)
          {
@@ -237,7 +240,7 @@ private:
       if (finite)
       {
          Tensor3<> conductance{};
-         material.permeability->GetReferential(point, F, conductance, nullptr);
+         permeability.Get(element, *material.permeability, q, conductance);
          flux = (-1.0 / det(F)) * Product(F, Product(conductance, slope));
       }
       else
@@ -252,6 +255,7 @@ private:
    BiphasicProblem &problem;
    BodyElement element;
    MeanDilatation mean_dilatation;
+   ElementPermeability permeability;
    std::vector<int> elements;
    bool finite = false;
    Point3 acceleration{};

@@ -18,7 +18,8 @@ struct Material
    /// Null: an elastic solid without fluid.
    const PermeabilityLaw *permeability = nullptr;
    /// phi_s, the volume fraction of the solid; it splits the total stress into
-   /// solid and fluid parts and does not enter the balance laws.
+   /// solid and fluid parts and does not enter the balance laws. Pores are
+   /// closed where the volume ratio is this small.
    mfem::real_t solid_fraction = 0.2;
    /// Whether the solid sees the mean change of volume of each element instead
    /// of its points' own: nearly incompressible solids don't lock then on
@@ -33,12 +34,6 @@ struct Material
    bool IsRigid() const { return solid == nullptr; }
    bool HasFluid() const { return permeability != nullptr; }
    bool HasSupply() const { return HasFluid() && supply.Any(); }
-   /// det F must be above: pores close there, or without any the volume itself
-   /// vanishes.
-   mfem::real_t LeastVolumeRatio() const
-   {
-      return HasFluid() ? solid_fraction : 0.0;
-   }
 };
 
 /// The material of each element attribute.

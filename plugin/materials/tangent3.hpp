@@ -44,6 +44,20 @@ inline void AddDyad(mfem::real_t factor, const Tensor3<> &A, const Tensor3<> &B,
    }
 }
 
+/// (dA/dF) : F, the derivative of A by a factor of F.
+inline Tensor3<> AlongDeformation(const Tangent3 &tangent, const Tensor3<> &F)
+{
+   Tensor3<> along{};
+   for (int k = 0; k < 9; k++)
+   {
+      for (int l = 0; l < 9; l++)
+      {
+         along[k / 3][k % 3] += tangent[k][l] * F[l / 3][l % 3];
+      }
+   }
+   return along;
+}
+
 /// Adds @a factor x dF/dF.
 inline void AddIdentity(mfem::real_t factor, Tangent3 &tangent)
 {
