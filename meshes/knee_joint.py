@@ -17,6 +17,7 @@ import numpy as np
 
 import mesh_script
 import meniscus_wedge
+import rim_taper
 import surface_gap
 from cartilage_layer import Layer
 from cartilage_outline import FemoralOutline, femoral_plane, star_plane
@@ -84,6 +85,11 @@ def add_options(parser: argparse.ArgumentParser, output: str) -> None:
                              "or such a one with a rounded edge in front of "
                              "it, of hexahedra or a fan of prisms, for finite "
                              "deformation (default %(default)s)")
+    parser.add_argument("--rim-taper", type=mesh_script.not_negative,
+                        default=0.0,
+                        help="width along the rim of the tibial cartilages "
+                             "where they thin out (mm, default %(default)s: "
+                             "their side is as high as they are thick)")
     mesh_script.add_geometry_order(parser)
     parser.add_argument("--verbose", action="store_true")
 
@@ -108,10 +114,14 @@ def build(anatomy: Anatomy, args: argparse.Namespace) -> Knee:
     for side, name in TIBIA.items():
         tibial[side] = star_plane(anatomy.tibial_outline[side],
                                   TIBIAL_SIZE * size, order)
-        bodies[name] = sweep(
-            tibial[side], anatomy.tibia[side].columns(*tibial[side].points.T,
-                                                      layers),
-            "bone", "contact", name)
+        points = tibial[side].points
+        columns = anatomy.tibia[side].columns(*points.T, layers)
+        if args.rim_taper > 0:
+            columns = rim_taper.taper(
+                columns,
+                rim_taper.distances(points, anatomy.tibial_outline[side]),
+                args.rim_taper)
+        bodies[name] = sweep(tibial[side], columns, "bone", "contact", name)
         gaps = surface_gap.vertical_gaps(
             quads_of(bodies[name], f"{name}_contact"),
             quads_of(femur(), f"{FEMUR}_contact"))

@@ -3,8 +3,6 @@
 """Tests of menisci whose rounded edge is a fan of prisms."""
 
 import collections
-import contextlib
-import io
 import pathlib
 import sys
 import tempfile
@@ -17,6 +15,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "meshes"), str(ROOT / "tests" / "support")]
 import knee_from_segmentation  # noqa: E402
 from hex_mesh import FACES, turned  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synthetic_knee import synthetic_labels, write_nrrd  # noqa: E402
 
 PRISM_FACES = [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]
@@ -24,13 +23,6 @@ PRISM_FACES = [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]
 NODES = {2: 3, 3: 4, 5: 8, 6: 6}
 FACES_OF = {5: FACES.tolist(), 6: PRISM_FACES}
 MENISCI = ("meniscus_medial", "meniscus_lateral")
-
-
-def run(*arguments: str) -> tuple[int, str, str]:
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        status = knee_from_segmentation.main(list(arguments))
-    return status, out.getvalue(), err.getvalue()
 
 
 class Fan(unittest.TestCase):
@@ -42,7 +34,8 @@ class Fan(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.image = write_nrrd(str(cls.folder / "knee.nrrd"),
                                *synthetic_labels())
-        status, cls.out, err = run(
+        status, cls.out, err = run_main(
+            knee_from_segmentation.main,
             cls.image, "--size", "2", "--inner-edge", "1", "--inner-face",
             "fan", "-o", str(cls.folder / "fan.msh"))
         assert status == 0, err
@@ -92,7 +85,8 @@ class Fan(unittest.TestCase):
             self.assertEqual(set(named), outer)
 
     def test_second_order_is_refused(self):
-        status, _, err = run(
+        status, _, err = run_main(
+            knee_from_segmentation.main,
             self.image, "--size", "2", "--inner-face", "fan",
             "--geometry-order", "2", "-o", str(self.folder / "no.msh"))
         self.assertEqual(status, 1)

@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of the knee's mesh generators."""
 
-import contextlib
-import io
 import pathlib
 import sys
 import tempfile
@@ -22,6 +20,7 @@ import knee_parametric  # noqa: E402
 import meniscus_ring  # noqa: E402
 import surface_gap  # noqa: E402
 from hex_mesh import HexMesh, check_hexahedra  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synthetic_knee import synthetic_labels, write_nrrd  # noqa: E402
 
 FOLDER = tempfile.TemporaryDirectory()
@@ -41,19 +40,8 @@ def path(name: str) -> str:
     return str(pathlib.Path(FOLDER.name) / name)
 
 
-def run(main, *arguments: str) -> tuple[int, str, str]:
-    """Exit status, output and error output."""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        try:
-            status = main(list(arguments))
-        except SystemExit as stop:
-            status = stop.code
-    return status, out.getvalue(), err.getvalue()
-
-
 def generate(main, name: str, *options: str) -> tuple[HexMesh, str]:
-    status, out, err = run(main, *options, "-o", path(name))
+    status, out, err = run_main(main, *options, "-o", path(name))
     assert status == 0, err
     return HexMesh(pathlib.Path(path(name))), out
 
@@ -258,8 +246,8 @@ class Knees(unittest.TestCase):
 class WrongInput(unittest.TestCase):
 
     def check(self, arguments: list[str], *words: str, status: int = 1):
-        got, _, err = run(knee_from_segmentation.main, *arguments,
-                          "-o", path("wrong.msh"))
+        got, _, err = run_main(knee_from_segmentation.main, *arguments,
+                               "-o", path("wrong.msh"))
         self.assertEqual(got, status, err)
         last = err.strip().splitlines()[-1]
         self.assertIn(".py: error: ", last)
@@ -396,7 +384,7 @@ class MeniscusRing(unittest.TestCase):
                               (["--width", "25"], "--width"),
                               (["--meniscal-radius", "20"], "--meniscal"),
                               (["--hole", "5"], "--hole")):
-            status, _, err = run(meniscus_ring.main, *options)
+            status, _, err = run_main(meniscus_ring.main, *options)
             self.assertEqual(status, 2)
             self.assertIn(word, err.splitlines()[-1])
 
