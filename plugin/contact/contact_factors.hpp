@@ -32,6 +32,10 @@ struct ContactFactors
    /// d(G^T (area t))/du at fixed t, displacement x displacement (force /
    /// length); null for none.
    const mfem::HypreParMatrix *force_change = nullptr;
+   /// What stands for force_change in a multigrid hierarchy: what sticks is
+   /// held no harder there than bodies resist, and what slides is free. Null
+   /// for force_change itself.
+   const mfem::HypreParMatrix *soft_force_change = nullptr;
    /// d(D^T (area t))/dp with the tangential tractions t of friction,
    /// displacement x pressure (area); null for none. The other derivatives of
    /// friction are in force_change.

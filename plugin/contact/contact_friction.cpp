@@ -414,10 +414,14 @@ void ContactFriction::AddForces(const FrictionState &state, const Vector &area,
 
 void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
                                 const Vector &area, const Vector &penalty,
+                                const Vector &area_resistance,
                                 const ContactState &state)
 {
    const FrictionState &friction = state.friction;
    const int size = area.Size();
+   // Per area, as the nodal forces are.
+   Vector soft_penalty(size);
+   soft_penalty = 0.0;
    linearized_traction = friction.traction;
    slid_when_linearized.assign(size, false);
    linearized = true;
@@ -446,6 +450,10 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
          Respond(friction, j, state.traction[j], penalty[j], penalty[j]);
       FrictionState::Set(linearized_traction, j, response.traction);
       slid_when_linearized[j] = !response.sticks;
+      if (response.sticks && area[j] > 0.0)
+      {
+         soft_penalty[j] = std::min(penalty[j], area_resistance[j] / area[j]);
+      }
       const Point3 normal = FrictionState::At(friction.normal, j);
       const Point3 distance = FrictionState::At(friction.distance, j);
       const Matrix3 across = Projector(normal);
@@ -473,6 +481,8 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
       AnyRank(any_without_origin, destination.Spaces().GetComm());
    force_by_pressure.reset();
    force_change.reset();
+   soft_force_change.reset();
+   Unique soft_sum = std::make_unique<HypreParMatrix>(*gaps.force_change);
    Unique sum = std::make_unique<HypreParMatrix>(*gaps.force_change);
    sum.reset(Add(1.0, *sum, 1.0, *changes.force));
    for (int c = 0; c < 3; c++)
@@ -495,12 +505,17 @@ void ContactFriction::Linearize(const Vector &p, const ContactFactors &gaps,
       const Unique by_u(
          ParMult(transpose.get(), by_displacement[c].get(), true));
       sum.reset(Add(1.0, *sum, 1.0, *by_u));
+      HypreParMatrix soft_tractions(*present.distance[c]);
+      soft_tractions.ScaleRows(soft_penalty);
+      const Unique held(ParMult(transpose.get(), &soft_tractions, true));
+      soft_sum.reset(Add(1.0, *soft_sum, 1.0, *held));
       Unique by_p(ParMult(transpose.get(), by_pressure[c].get(), true));
       force_by_pressure = force_by_pressure
                              ? Unique(Add(1.0, *force_by_pressure, 1.0, *by_p))
                              : std::move(by_p);
    }
    force_change = std::move(sum);
+   soft_force_change = std::move(soft_sum);
 }
 
 VectorByComponent

@@ -96,8 +96,10 @@ public:
    /// Sets the derivatives for the last tractions, of normal and tangential
    /// directions, and for pressures @a p (true dofs). The constraint was
    /// linearized, @a gaps are its factors with weights.
+   /// @a area_resistance: area x what bodies resist (force / length).
    void Linearize(const mfem::Vector &p, const ContactFactors &gaps,
                   const mfem::Vector &area, const mfem::Vector &penalty,
+                  const mfem::Vector &area_resistance,
                   const ContactState &state);
    /// They are those of other points: there are none until the next
    /// Linearize(); not collective.
@@ -107,6 +109,10 @@ public:
    const mfem::HypreParMatrix *ForceChange() const
    {
       return force_change.get();
+   }
+   const mfem::HypreParMatrix *SoftForceChange() const
+   {
+      return force_change ? soft_force_change.get() : nullptr;
    }
    const mfem::HypreParMatrix *ForceByPressure() const
    {
@@ -172,6 +178,7 @@ private:
    MatrixByComponent by_displacement;
    MatrixByComponent by_pressure;
    std::unique_ptr<mfem::HypreParMatrix> force_change;
+   std::unique_ptr<mfem::HypreParMatrix> soft_force_change;
    std::unique_ptr<mfem::HypreParMatrix> force_by_pressure;
    bool sliding_changed = false;
    /// Of tractions at the last LagLimits() (stress).

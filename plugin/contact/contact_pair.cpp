@@ -26,13 +26,8 @@ std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
 {
    if (deformation == Deformation::finite)
    {
-      // Where surfaces rub, multipliers of wide functions at the rim, which
-      // would be kept, cost multigrid its convergence.
-      const RimRule rim = options.friction.coefficient > 0.0
-                             ? RimRule::of_search
-                             : RimRule::of_step;
       return std::make_unique<FiniteConstraint>(
-         geometry, options.initial_overlap, gap_tolerance, tuning, rim);
+         geometry, options.initial_overlap, gap_tolerance, tuning);
    }
    return std::make_unique<InfinitesimalConstraint>(
       geometry, options.configuration, options.initial_overlap);
@@ -123,7 +118,8 @@ bool ContactPair::Linearize(const Vector &p)
    if (ContactFriction *friction = enforcement.Friction())
    {
       friction->Linearize(p, constraint->Factors(), area,
-                          enforcement.Penalties().Gap(), State());
+                          enforcement.Penalties().Gap(),
+                          enforcement.Penalties().AreaResistance(), State());
    }
    return changed;
 }
@@ -232,6 +228,7 @@ ContactFactors ContactPair::Factors() const
    if (friction && friction->ForceChange())
    {
       factors.force_change = friction->ForceChange();
+      factors.soft_force_change = friction->SoftForceChange();
       factors.force_by_pressure = friction->ForceByPressure();
    }
    return factors;

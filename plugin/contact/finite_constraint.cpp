@@ -12,11 +12,10 @@ using namespace mfem;
 FiniteConstraint::FiniteConstraint(ContactGeometry &geometry_,
                                    InitialOverlap initial_overlap_,
                                    real_t gap_tolerance_,
-                                   const ContactTuning &tuning_,
-                                   RimRule rim_rule_)
+                                   const ContactTuning &tuning_)
    : geometry(geometry_), initial_overlap(initial_overlap_),
-     gap_tolerance(gap_tolerance_), tuning(tuning_), rim_rule(rim_rule_),
-     gaps(MakeGap()), removed_overlap(geometry.DestinationAreas().Size())
+     gap_tolerance(gap_tolerance_), tuning(tuning_), gaps(MakeGap()),
+     removed_overlap(geometry.DestinationAreas().Size())
 {
    removed_overlap = 0.0;
 }
@@ -130,10 +129,6 @@ void FiniteConstraint::StartStep(const Vector &u)
    step_start = u;
    kept = KeptBearing();
    kept = FindGap(u)->FindBearing(tuning.bearing_angle);
-   if (rim_rule == RimRule::of_search)
-   {
-      kept.least_coverage.SetSize(0);
-   }
 }
 
 bool FiniteConstraint::Search(const Vector &u)

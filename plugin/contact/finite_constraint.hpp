@@ -8,14 +8,6 @@
 namespace synovia
 {
 
-/// Which vertices are at the rim: those of each search, or, unless what is
-/// covered changes by much, those of the time step's start.
-enum class RimRule
-{
-   of_search,
-   of_step
-};
-
 /// Gap and jump in finite deformation: surfaces look for each other anew in
 /// each stage, points follow the displacement in between, and Linearize() gives
 /// complete derivatives; see FiniteGap. Where points have gone to other faces,
@@ -26,8 +18,7 @@ class FiniteConstraint : public ContactConstraint
 public:
    /// Borrows @a geometry. @a gap_tolerance: what gaps are closed to (length).
    FiniteConstraint(ContactGeometry &geometry, InitialOverlap initial_overlap,
-                    mfem::real_t gap_tolerance, const ContactTuning &tuning,
-                    RimRule rim_rule);
+                    mfem::real_t gap_tolerance, const ContactTuning &tuning);
 
    void SearchReference() override;
    void SearchAt(const mfem::Vector &u) override;
@@ -74,7 +65,6 @@ private:
    InitialOverlap initial_overlap;
    mfem::real_t gap_tolerance;
    ContactTuning tuning;
-   RimRule rim_rule;
    std::unique_ptr<FiniteGap> gaps;
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;

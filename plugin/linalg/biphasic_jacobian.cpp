@@ -205,10 +205,17 @@ BiphasicJacobian::StiffnessUnderTraction() const
 std::unique_ptr<HypreParMatrix>
 BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
 {
-   std::unique_ptr<HypreParMatrix> sum = ForceChange();
+   std::unique_ptr<HypreParMatrix> sum;
    for (size_t i = 0; i < Contact().size(); i++)
    {
-      const HypreParMatrix &gap = *Contact()[i].gap;
+      const ContactFactors &pair = Contact()[i];
+      const HypreParMatrix *const force_change =
+         pair.soft_force_change ? pair.soft_force_change : pair.force_change;
+      if (force_change)
+      {
+         AddTo(sum, std::make_unique<HypreParMatrix>(*force_change));
+      }
+      const HypreParMatrix &gap = *pair.gap;
       AddTo(sum, WeightedProduct(gap, weights[i], gap));
    }
    return WithBodies(std::move(sum));

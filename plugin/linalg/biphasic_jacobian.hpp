@@ -93,8 +93,9 @@ public:
    /// they are far from definite.
    std::vector<const mfem::HypreParMatrix *> StiffnessUnderTraction() const;
 
-   /// K + sum (F + G^T W G), with other @a weights W of the gaps, and unit rows
-   /// and columns for the prescribed dofs: symmetric if K is and there is no F.
+   /// K + sum (F + G^T W G), with other @a weights W of the gaps, F as
+   /// ContactFactors::soft_force_change has it, and unit rows and columns for
+   /// the prescribed dofs: symmetric if K is and there is no F.
    /// Collective.
    std::unique_ptr<mfem::HypreParMatrix>
    DisplacementBlock(const std::vector<mfem::Vector> &weights) const;

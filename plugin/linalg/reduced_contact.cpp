@@ -22,6 +22,16 @@ ReducedContact::ReduceColumns(const HypreParMatrix *matrix)
    return matrices.back().get();
 }
 
+const HypreParMatrix *ReducedContact::ReduceBoth(const HypreParMatrix *matrix)
+{
+   if (!matrix)
+   {
+      return nullptr;
+   }
+   matrices.push_back(rigid->ReduceBoth(*matrix));
+   return matrices.back().get();
+}
+
 void ReducedContact::Update()
 {
    if (!rigid)
@@ -45,11 +55,8 @@ void ReducedContact::Update()
          matrices.emplace_back(rigid->Reduce(*columns)->Transpose());
          factors.force_by_pressure = matrices.back().get();
       }
-      if (factors.force_change)
-      {
-         matrices.push_back(rigid->ReduceBoth(*factors.force_change));
-         factors.force_change = matrices.back().get();
-      }
+      factors.force_change = ReduceBoth(factors.force_change);
+      factors.soft_force_change = ReduceBoth(factors.soft_force_change);
    }
 }
 

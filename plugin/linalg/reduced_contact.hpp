@@ -27,6 +27,8 @@ private:
 
    /// Keeps a matrix whose columns are displacements, or null, in reduced form.
    const Matrix *ReduceColumns(const Matrix *matrix);
+   /// The same where rows are displacements, too.
+   const Matrix *ReduceBoth(const Matrix *matrix);
 
    const ContactTerms &original;
    const RigidSurfaces *rigid;
