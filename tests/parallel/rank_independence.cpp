@@ -64,7 +64,7 @@ std::vector<Row> Solve(const Setup &setup, MPI_Comm comm)
       CAPTURE(report.reason, report.time);
       REQUIRE(report.converged);
       CHECK(report.failures == 0);
-      // With multipliers that slide in the hierarchy it took up to 83, for
+      // With the stiffness of sliding in the hierarchy it took up to 83, for
       // solutions that were none.
       CHECK(report.solve.most_linear < 70);
       Row row;

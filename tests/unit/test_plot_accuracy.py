@@ -2,10 +2,8 @@
 # processors: 1
 """Tests of scripts/plot_accuracy.py, with runs that are there already."""
 
-import contextlib
 import csv
 import dataclasses
-import io
 import json
 import math
 import pathlib
@@ -20,17 +18,13 @@ sys.dont_write_bytecode = True
 
 import plot_accuracy
 
+from run_main import run_main  # noqa: E402
 from synovia_output import reference  # noqa: E402
 
 
 def run(*arguments: str) -> tuple[int, str]:
-    said = io.StringIO()
-    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-        try:
-            status = plot_accuracy.main(list(arguments))
-        except SystemExit as stop:
-            status = int(stop.code or 0)
-    return status, said.getvalue()
+    status, out, err = run_main(plot_accuracy.main, *arguments)
+    return status, out + err
 
 
 class PlotAccuracy(unittest.TestCase):

@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of scripts/plot_knee_mesh.py."""
 
-import contextlib
-import io
 import pathlib
 import sys
 import tempfile
@@ -13,10 +11,12 @@ import matplotlib.image
 import numpy as np
 
 ROOT = pathlib.Path(__file__).parents[2]
-sys.path[:0] = [str(ROOT / "meshes"), str(ROOT / "scripts")]
+sys.path[:0] = [str(ROOT / "meshes"), str(ROOT / "scripts"),
+                str(ROOT / "tests" / "support")]
 import boxes  # noqa: E402
 import knee_parametric  # noqa: E402
 import plot_knee_mesh  # noqa: E402
+from run_main import run_main  # noqa: E402
 
 
 class Pictures(unittest.TestCase):
@@ -26,20 +26,11 @@ class Pictures(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_main(self, main, *arguments: str) -> tuple[int, str]:
-        err = io.StringIO()
-        with contextlib.redirect_stdout(io.StringIO()), \
-                contextlib.redirect_stderr(err):
-            try:
-                return main(list(arguments)), err.getvalue()
-            except SystemExit as stop:
-                return stop.code, err.getvalue()
-
     def test_three_views_with_all_tissues(self):
         mesh, picture = (str(self.folder / name)
                          for name in ("knee.msh", "knee.png"))
-        self.run_main(knee_parametric.main, "-o", mesh, "--size", "2.5")
-        status, err = self.run_main(plot_knee_mesh.main, mesh, "-o", picture)
+        run_main(knee_parametric.main, "-o", mesh, "--size", "2.5")
+        status, _, err = run_main(plot_knee_mesh.main, mesh, "-o", picture)
         self.assertEqual(status, 0, err)
         pixels = matplotlib.image.imread(picture)[..., :3]
         blank = (pixels > 0.98).all(axis=2).all(axis=0)
@@ -52,11 +43,11 @@ class Pictures(unittest.TestCase):
 
     def test_what_is_no_knee(self):
         columns = str(self.folder / "columns.msh")
-        self.run_main(boxes.main, "two_columns", "-o", columns)
-        status, err = self.run_main(plot_knee_mesh.main, columns)
+        run_main(boxes.main, "two_columns", "-o", columns)
+        status, _, err = run_main(plot_knee_mesh.main, columns)
         self.assertEqual(status, 1)
         self.assertIn("meniscus", err)
-        status, err = self.run_main(plot_knee_mesh.main, "none.msh")
+        status, _, err = run_main(plot_knee_mesh.main, "none.msh")
         self.assertEqual(status, 2)
         self.assertIn("none.msh", err)
 
