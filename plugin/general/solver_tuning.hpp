@@ -133,14 +133,16 @@ struct FactorizationTuning
    /// ModuliRatios::anisotropy above which `auto` factorizes twice as many
    /// unknowns: multigrid takes two or three times as many iterations there.
    mfem::real_t stiff_fibers = 100.0;
-   /// Unsymmetric matrices with more unknowns than compress_above are
-   /// factorized with blocks of low rank of this accuracy. Larger: less time
-   /// and memory for a factorization, and more iterations. 0: none are.
+   /// Unsymmetric matrices with more unknowns than compress_above, and
+   /// symmetric ones with more than three times as many, are factorized with
+   /// blocks of low rank of this accuracy. Larger: less time and memory for a
+   /// factorization, and more iterations. 0: none are.
    mfem::real_t compression = 1e-4;
    int compress_above = 50000;
-   /// Whether unsymmetric matrices are factorized in single precision, if MUMPS
-   /// was built for it: half the time and memory. A system that fresh factors
-   /// don't solve ends compression for good, and the next single precision.
+   /// Whether unsymmetric matrices, and symmetric ones with more unknowns than
+   /// compress_above, are factorized in single precision, if MUMPS was built
+   /// for it: half the time and memory. A system that fresh factors don't solve
+   /// ends compression for good, and the next single precision.
    bool single_precision = true;
    /// Time steps within this factor of the one factorized for use its factors.
    /// Larger: fewer factorizations, more iterations.

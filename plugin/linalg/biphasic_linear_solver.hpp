@@ -87,11 +87,14 @@ protected:
    WorkCounts work;
 };
 
-/// Runs @a solver for @a b from @a x, as long as @a preconditioner, which is
-/// inside it, has patience, but no longer than @a most iterations. Collective.
+/// Runs @a solver for @a b, from @a x in its iterative mode and else from zero,
+/// as long as @a preconditioner, which is inside it, has patience, but no
+/// longer than @a most iterations. It has converged if the norm of b - A x, not
+/// only FGMRES' estimate, is at most @a target, or at most twice that where the
+/// estimate is smaller. Leaves @a solver in iterative mode. Collective.
 SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
-                     const mfem::Vector &b, mfem::FGMRESSolver &solver,
-                     mfem::Vector &x);
+                     const mfem::Vector &b, mfem::real_t target,
+                     mfem::FGMRESSolver &solver, mfem::Vector &x);
 
 /// Largest residual of each equation, as norms of true-dof vectors: force, and
 /// volume of fluid in a step.

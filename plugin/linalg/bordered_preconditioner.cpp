@@ -82,8 +82,6 @@ void BorderedPreconditioner::Update()
 
 void BorderedPreconditioner::SolveColumns()
 {
-   // Good enough for what the columns take to be what the freedoms need.
-   constexpr real_t accuracy = 1e-2;
    constexpr int most_iterations = 200;
    const int pressure_begin = jacobian.Offsets()[1];
    const HeldEquations held(jacobian);
@@ -91,7 +89,6 @@ void BorderedPreconditioner::SolveColumns()
    ScaledSolver scaled_inner(*inner, pressure_begin, 1.0 / force_per_volume);
    FGMRESSolver solver(comm);
    solver.SetKDim(most_iterations);
-   solver.SetRelTol(0.0);
    solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
    solver.SetOperator(scaled);
    solver.SetPreconditioner(scaled_inner);
@@ -111,8 +108,6 @@ void BorderedPreconditioner::SolveColumns()
       forces.Neg();
       Hold(forces);
       ScaleFrom(pressure_begin, force_per_volume, forces);
-      solver.SetAbsTol(accuracy *
-                       std::sqrt(InnerProduct(comm, forces, forces)));
       Hold(columns[j]);
       ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
       column_iterations += SolveColumn(forces, most_iterations, solver, j);
@@ -130,14 +125,19 @@ int BorderedPreconditioner::SolveColumn(const Vector &forces,
                                         int most_iterations,
                                         FGMRESSolver &solver, int column)
 {
+   // Good enough for what the columns take to be what the freedoms need.
+   constexpr real_t accuracy = 1e-2;
+   const real_t target =
+      accuracy * std::sqrt(InnerProduct(comm, forces, forces));
    // An inner preconditioner of equations that have changed much is renewed by
    // its own rules, as in other solves.
    int iterations = 0;
    bool again = true;
    while (again && iterations < most_iterations)
    {
-      const SolveAttempt attempt = Attempt(*inner, most_iterations - iterations,
-                                           forces, solver, columns[column]);
+      const SolveAttempt attempt =
+         Attempt(*inner, most_iterations - iterations, forces, target, solver,
+                 columns[column]);
       if (attempt.iterations == 0)
       {
          return iterations;

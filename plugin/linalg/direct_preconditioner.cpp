@@ -136,10 +136,19 @@ void DirectPreconditioner::Update()
    }
 }
 
-void DirectPreconditioner::ChoosePrecision()
+void DirectPreconditioner::ChooseAccuracy()
 {
-   options.single_precision =
-      !jacobian.IsContactSymmetric() && tuning.single_precision;
+   // Symmetric factors take half the operations; small ones serve so many
+   // systems that an iteration more in each costs more than a factorization.
+   constexpr real_t symmetric_ratio = 3.0;
+   const bool symmetric = jacobian.IsContactSymmetric();
+   const real_t unknowns = SumOverRanks(height, comm);
+   options.single_precision = tuning.single_precision &&
+                              (!symmetric || unknowns > tuning.compress_above);
+   if (unknowns > (symmetric ? symmetric_ratio : 1.0) * tuning.compress_above)
+   {
+      options.compression = tuning.compression;
+   }
 }
 
 void DirectPreconditioner::Factorize()
@@ -160,7 +169,7 @@ void DirectPreconditioner::Factorize()
    columns.clear();
    if (!factors)
    {
-      ChoosePrecision();
+      ChooseAccuracy();
    }
    // Large beside what contact adds to the diagonal, and small enough to be
    // taken back from the factors by a column.
@@ -175,14 +184,11 @@ void DirectPreconditioner::Factorize()
    }
    else
    {
-      const bool symmetric = jacobian.IsContactSymmetric();
-      if (!symmetric && matrix->GetGlobalNumRows() > tuning.compress_above)
-      {
-         options.compression = tuning.compression;
-      }
-      factors = MakeDirectSolver(
-         *matrix, symmetric ? MatrixKind::symmetric : MatrixKind::general,
-         options);
+      factors =
+         MakeDirectSolver(*matrix,
+                          jacobian.IsContactSymmetric() ? MatrixKind::symmetric
+                                                        : MatrixKind::general,
+                          options);
    }
    work.factorizations++;
 }

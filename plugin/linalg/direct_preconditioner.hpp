@@ -58,8 +58,8 @@ private:
 
    bool IsLikeFactorized() const;
    std::vector<Change> FindChanges() const;
-   /// Of the first factorization.
-   void ChoosePrecision();
+   /// Precision and compression of the first factorization.
+   void ChooseAccuracy();
    /// Has factors made that approximate the matrix better; false if there are
    /// none.
    bool RefineFactors();

@@ -194,12 +194,12 @@ TEST_CASE("Factors in single precision are a preconditioner")
 {
    ParMesh mesh = Cube(4);
    const auto matrix = MakeMatrix(mesh, 2, 1.0);
-   for (const DirectLibrary library : Libraries())
+   const auto check = [&](DirectLibrary library, MatrixKind kind)
    {
       DirectOptions options = Options(library);
       options.single_precision = true;
       const std::unique_ptr<Solver> solver =
-         MakeDirectSolver(*matrix, MatrixKind::general, options);
+         MakeDirectSolver(*matrix, kind, options);
       const real_t residual = Residual(*solver, *matrix);
       CHECK(residual < 1e-5);
 #ifdef SYNOVIA_HAS_SINGLE_MUMPS
@@ -209,6 +209,11 @@ TEST_CASE("Factors in single precision are a preconditioner")
       const auto other = MakeMatrix(mesh, 2, 100.0);
       solver->SetOperator(*other);
       CHECK(Residual(*solver, *other) < 1e-5);
+   };
+   for (const DirectLibrary library : Libraries())
+   {
+      check(library, MatrixKind::general);
+      check(library, MatrixKind::symmetric);
    }
 }
 
