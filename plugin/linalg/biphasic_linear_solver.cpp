@@ -51,6 +51,8 @@ SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
    // FGMRES follows its residual by recurrences, which leave the true one where
    // a preconditioner makes vectors much larger.
    constexpr real_t most_drift = 2.0;
+   // Stiff penalties may keep a residual above that by round-off.
+   constexpr real_t round_off = 1e-8;
    const int patience = std::min(preconditioner.Patience(), most);
    solver.SetRelTol(0.0);
    solver.SetAbsTol(target);
@@ -61,7 +63,7 @@ SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
    SolveAttempt attempt;
    attempt.iterations = iterations;
    solver.iterative_mode = true;
-   solver.SetAbsTol(most_drift * target);
+   solver.SetAbsTol(std::max(most_drift * target, round_off * initial_norm));
    while (solver.GetConverged() && iterations > 0)
    {
       solver.SetMaxIter(patience - attempt.iterations);

@@ -89,9 +89,10 @@ protected:
 
 /// Runs @a solver for @a b, from @a x in its iterative mode and else from zero,
 /// as long as @a preconditioner, which is inside it, has patience, but no
-/// longer than @a most iterations. It has converged if the norm of b - A x, not
-/// only FGMRES' estimate, is at most @a target, or at most twice that where the
-/// estimate is smaller. Leaves @a solver in iterative mode. Collective.
+/// longer than @a most iterations. It has converged if FGMRES' estimate of the
+/// norm of b - A x is at most @a target, and the norm itself at most twice that
+/// or 1e-8 of what it was at first. Leaves @a solver in iterative mode.
+/// Collective.
 SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
                      const mfem::Vector &b, mfem::real_t target,
                      mfem::FGMRESSolver &solver, mfem::Vector &x);

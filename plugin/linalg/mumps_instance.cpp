@@ -87,7 +87,6 @@ MumpsInstance<Number>::MumpsInstance(MPI_Comm comm, MatrixKind kind,
    {
       set(stream, 0);
    }
-   set(workspace_margin, 20);
    set(matrix_input, distributed_entries);
    set(right_side_input, distributed_right_side);
    set(solution_output, distributed_solution);

@@ -75,6 +75,7 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    {
       instance.reset();
       instance = std::make_unique<MumpsInstance<Number>>(comm, kind, options);
+      instance->WorkspaceMargin() = workspace_margin;
    }
    Entries<Number> entries(matrix, kind != MatrixKind::general);
    instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
@@ -100,10 +101,11 @@ template <typename Number>
 bool MumpsSolver<Number>::Analyze()
 {
    // Where contact slides on, patterns differ little, and an ordering takes
-   // longer than what a slightly worse one costs.
+   // longer than what a slightly worse one costs, unless blocks of low rank are
+   // made of it: those of a kept one take up to half as long again.
    constexpr double most_growth = 1.3;
    const int rows = instance->data.n;
-   if (ordering.rows == rows)
+   if (ordering.rows == rows && options.compression == 0.0)
    {
       if (!instance->AnalyzeWith(ordering.positions))
       {
@@ -136,11 +138,12 @@ bool MumpsSolver<Number>::Factorize()
          why == MumpsStatus::small_send_buffer ||
          why == MumpsStatus::small_receive_buffer ||
          (why == MumpsStatus::small_workspace && options.memory_limit == 0);
-      if (!margin_helps || instance->WorkspaceMargin() >= most_margin)
+      if (!margin_helps || workspace_margin >= most_margin)
       {
          return false;
       }
-      instance->WorkspaceMargin() *= 2;
+      workspace_margin *= 2;
+      instance->WorkspaceMargin() = workspace_margin;
    }
    return true;
 }

@@ -58,6 +58,8 @@ private:
    std::unique_ptr<MumpsInstance<Number>> instance;
    std::uint64_t pattern = 0;
    Ordering ordering;
+   /// In percent; kept for the matrices to come once one has needed more.
+   int workspace_margin = 20;
    HYPRE_BigInt first_row = 0;
    /// Rows as MUMPS counts, from 1: of right sides, and of solutions where it
    /// leaves them.

@@ -67,7 +67,7 @@ real_t Residual(const Operator &system, const Vector &b, const Vector &x)
    return std::sqrt(InnerProduct(MPI_COMM_WORLD, r, r));
 }
 
-constexpr real_t target = 1e-9;
+constexpr real_t target = 1e-6;
 
 struct Outcome
 {
@@ -118,16 +118,16 @@ TEST_CASE("A system is solved when its residual is small, not an estimate")
    CHECK(tame.attempt.converged);
    CHECK(tame.residual <= 2.0 * target);
 
-   const Outcome wild = Solve(1e10, no_limit);
+   const Outcome wild = Solve(1e13, no_limit);
    CHECK(wild.residual_of_estimate > 100.0 * target);
    CHECK(wild.attempt.converged);
    CHECK(wild.residual <= 2.0 * target);
    CHECK(wild.attempt.iterations > tame.attempt.iterations);
-   CHECK(wild.attempt.reduction < 1e-8);
+   CHECK(wild.attempt.reduction < 1e-6);
 
    // Enough for the estimate.
    const int patience = tame.attempt.iterations + 2;
-   const Outcome given_up = Solve(1e10, patience);
+   const Outcome given_up = Solve(1e13, patience);
    CHECK_FALSE(given_up.attempt.converged);
    CHECK(given_up.attempt.iterations <= patience);
    CHECK(given_up.residual > 2.0 * target);
