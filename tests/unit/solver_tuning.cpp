@@ -83,6 +83,8 @@ std::vector<std::string> TuningKeys()
 struct Run
 {
    WorkCounts work;
+   int linear = 0;
+   Vector state;
    real_t sealed = 0.0;
    real_t sealed_source = 0.0;
 };
@@ -111,7 +113,9 @@ Run RunCase(const std::vector<std::string> &settings,
       CAPTURE(report.reason);
       REQUIRE(report.converged);
       run.work += report.work;
+      run.linear += report.solve.linear;
    }
+   run.state = stepper.State();
    const ContactPair &pair = *problem.Get().Operator().Pairs().front();
    Vector sealed(problem.Get().Spaces().Multiplier().GetTrueVSize());
    sealed = 0.0;
@@ -271,6 +275,22 @@ TEST_CASE("Factors that are too coarse are given up for better ones")
    const Run refined = RunCase(coarse, box);
    CAPTURE(standard.work.factorizations, refined.work.factorizations);
    CHECK(refined.work.factorizations > standard.work.factorizations);
+}
+
+TEST_CASE("Large symmetric matrices have factors that are not exact")
+{
+   const std::vector<std::string> direct = {"solver.linear=\"direct\""};
+   std::vector<std::string> large(direct);
+   large.push_back("solver.tuning.factorization.compress_above=0");
+   const BoxOptions box = LowerBox(8);
+   const Run exact = RunCase(direct, box);
+   Run coarse = RunCase(large, box);
+#ifdef SYNOVIA_HAS_SINGLE_MUMPS
+   CHECK(coarse.linear > exact.linear);
+#endif
+   REQUIRE(exact.state.Norml2() > 0.0);
+   coarse.state -= exact.state;
+   CHECK(coarse.state.Norml2() < 1e-6 * exact.state.Norml2());
 }
 
 TEST_CASE("Tuning reaches multigrid")
