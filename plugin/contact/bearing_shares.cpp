@@ -11,44 +11,85 @@ using namespace mfem;
 
 namespace
 {
-real_t FacingAngle(const SurfacePairing &pairing, const PairedPoint &point)
+/// Where one of the destination's points faces the source.
+struct Facing
+{
+   Point3 normal;
+   /// Between the normal and the opposite of the source's.
+   real_t angle;
+};
+
+real_t Angle(const Point3 &a, const Point3 &b)
+{
+   return std::atan2(Length(Cross(a, b)), Dot(a, b));
+}
+
+Facing FacingAt(const SurfacePairing &pairing, const PairedPoint &point)
 {
    const Point3 own =
       pairing.Destination().Faces()[point.face].Current(point.ip).UnitNormal();
    const Point3 other = pairing.SourceFaces()[point.source]
                            .shape(point.hit.x, point.hit.y)
                            .UnitNormal();
-   return std::atan2(Length(Cross(own, other)), -Dot(own, other));
+   return {own, M_PI - Angle(own, other)};
 }
 
-/// The angle around each of this rank's vertices where it is least; zero where
-/// there are no points. @a angles: of the points.
-Vector LeastAngles(const SurfacePairing &pairing,
-                   const std::vector<real_t> &angles, real_t bearing_angle)
+/// Means around vertices of the destination, which points count for the more
+/// the better they face the source; zero where there are no points.
+struct BestFacing
+{
+   Vector angles;
+   /// Their directions, by component.
+   std::array<Vector, 3> normals;
+
+   Point3 Normal(int vertex) const
+   {
+      return {normals[0][vertex], normals[1][vertex], normals[2][vertex]};
+   }
+};
+
+/// Of this rank's vertices, and at those of the @a rim what they take from
+/// others.
+BestFacing FindBest(const SurfacePairing &pairing, const RimVertices &rim,
+                    const std::vector<Facing> &facing, real_t bearing_angle)
 {
    // Weights stay above zero, so that a narrow angle leaves no vertex without.
    constexpr real_t most = 100.0;
    const ContactSurface &destination = pairing.Destination();
-   VertexSums weights(destination.Vertices());
-   VertexSums sums(destination.Vertices());
+   const SurfaceVertices &surface = destination.Vertices();
+   VertexSums weights(surface);
+   VertexSums angles(surface);
+   std::array<VertexSums, 3> normals{
+      {VertexSums(surface), VertexSums(surface), VertexSums(surface)}};
    Vector weight;
-   for (std::size_t i = 0; i < angles.size(); i++)
+   for (std::size_t i = 0; i < facing.size(); i++)
    {
       const PairedPoint &point = pairing.Points()[i];
       const Array<int> &vertices = destination.Faces()[point.face].Vertices();
       destination.GetVertexShapes(point.face, point.ip, weight);
-      weight *= point.area *
-                std::exp(-std::min(most, 2.0 * angles[i] / bearing_angle));
+      weight *=
+         point.area *
+         std::exp(-std::min(most, 2.0 * facing[i].angle / bearing_angle));
       weights.Add(vertices, 1.0, weight);
-      sums.Add(vertices, angles[i], weight);
+      angles.Add(vertices, facing[i].angle, weight);
+      for (int d = 0; d < 3; d++)
+      {
+         normals[d].Add(vertices, facing[i].normal[d], weight);
+      }
    }
-   Vector least = sums.OverRanks();
    const Vector total = weights.OverRanks();
-   for (int j = 0; j < least.Size(); j++)
+   const auto mean = [&](const VertexSums &sums)
    {
-      least[j] = total[j] > 0.0 ? least[j] / total[j] : 0.0;
-   }
-   return least;
+      Vector means = sums.OverRanks();
+      for (int j = 0; j < means.Size(); j++)
+      {
+         means[j] = total[j] > 0.0 ? means[j] / total[j] : 0.0;
+      }
+      rim.Spread(means);
+      return surface.Share(means);
+   };
+   return {mean(angles),
+           {{mean(normals[0]), mean(normals[1]), mean(normals[2])}}};
 }
 } // namespace
 
@@ -59,15 +100,13 @@ FaceShares BearingShares(const SurfacePairing &pairing, const RimVertices &rim,
    constexpr real_t none = 2.0;
    const ContactSurface &destination = pairing.Destination();
    const std::vector<PairedPoint> &points = pairing.Points();
-   std::vector<real_t> angles;
-   angles.reserve(points.size());
+   std::vector<Facing> facing;
+   facing.reserve(points.size());
    for (const PairedPoint &point : points)
    {
-      angles.push_back(FacingAngle(pairing, point));
+      facing.push_back(FacingAt(pairing, point));
    }
-   Vector least = LeastAngles(pairing, angles, bearing_angle);
-   rim.Spread(least);
-   least = destination.Vertices().Share(least);
+   const BestFacing best = FindBest(pairing, rim, facing, bearing_angle);
    FaceShares shares(destination.Faces().size(), {{1.0, 1.0, 1.0, 1.0}});
    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
    {
@@ -80,8 +119,10 @@ FaceShares BearingShares(const SurfacePairing &pairing, const RimVertices &rim,
          area += points[end].area;
          for (int j = 0; j < vertices.Size(); j++)
          {
-            const real_t beyond =
-               (angles[end] - least[vertices[j]]) / bearing_angle;
+            const real_t away = facing[end].angle - best.angles[vertices[j]];
+            const real_t turn =
+               Angle(facing[end].normal, best.Normal(vertices[j]));
+            const real_t beyond = std::min(away, turn) / bearing_angle;
             borne[j] +=
                points[end].area *
                std::clamp<real_t>((none - beyond) / (none - 1.0), 0.0, 1.0);

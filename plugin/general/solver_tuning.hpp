@@ -31,10 +31,10 @@ struct ContactTuning
    mfem::real_t rim_coverage = 0.4;
    /// In finite deformation, by how much larger an angle (radians) than where
    /// they face each other best around a vertex surfaces may turn away from
-   /// each other and count wholly in its gap and bear its traction; where it is
-   /// twice as large they don't at all. Larger: at rounded edges, gaps mix what
-   /// touches with what never will, and the active set goes to and fro; above
-   /// pi: all counts.
+   /// each other, or the destination from itself there, and count wholly in its
+   /// gap and bear its traction; where both are twice as large they don't at
+   /// all. Larger: at rounded edges, gaps mix what touches with what never
+   /// will, and the active set goes to and fro; above pi: all counts.
    mfem::real_t bearing_angle = 0.25;
    /// Part of a gap or jump that an augmentation may leave without the penalty
    /// being raised (Simo & Laursen, Comput Struct 42:97-116, 1992). Smaller:

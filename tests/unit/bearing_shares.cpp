@@ -1,7 +1,8 @@
 // ranks: 1 2 3
 //
 // A surface with a fold below a flat one: the gap of the vertices on the fold
-// is that of the side that may touch, whatever the other one sees.
+// is that of the side that may touch, whatever the other one sees. A flat
+// surface bears all, whatever the other one does.
 
 #include "support/boxes.hpp"
 #include "support/stack_displacement.hpp"
@@ -48,12 +49,16 @@ NamedMesh MakeBodies(int upper_faces)
 }
 
 /// With an upper body of faces that are 0.25 long.
-FoldValues FindFoldValues(int upper_faces, real_t bearing_angle)
+FoldValues FindFoldValues(int upper_faces, real_t bearing_angle,
+                          const std::string &folded = "destination")
 {
    NamedMesh mesh = MakeBodies(upper_faces);
    BiphasicSpaces spaces(mesh.Get(), 1);
-   ContactSurface source(spaces, mesh.Boundary("upper_z0"));
-   ContactSurface destination(spaces, mesh.Boundary("lower_z1"));
+   const bool below = folded == "destination";
+   ContactSurface source(spaces,
+                         mesh.Boundary(below ? "upper_z0" : "lower_z1"));
+   ContactSurface destination(spaces,
+                              mesh.Boundary(below ? "lower_z1" : "upper_z0"));
 
    const Vector u = StackDisplacement(
       spaces,
@@ -127,4 +132,14 @@ TEST_CASE("The gap at a fold does not depend on how far the source reaches")
    CHECK(shorter.area == Approx(longer.area).epsilon(1e-10));
    CHECK(std::abs(FindFoldValues(3, any).largest_gap -
                   FindFoldValues(4, any).largest_gap) > 0.1 * distance);
+}
+
+TEST_CASE("Below a fold of the source a flat surface bears all")
+{
+   const FoldValues all = FindFoldValues(4, any, "source");
+   const FoldValues folded = FindFoldValues(4, narrow, "source");
+   REQUIRE(folded.vertices == 2);
+   CHECK(all.area == Approx(0.25).epsilon(0.3));
+   CHECK(folded.area == Approx(all.area).epsilon(1e-12));
+   CHECK(folded.largest_gap == Approx(all.largest_gap).epsilon(1e-12));
 }
