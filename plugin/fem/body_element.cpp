@@ -34,6 +34,21 @@ DenseMatrix TabulatedShapes(const FiniteElement &element,
    return shapes;
 }
 
+const IntegrationRule &Corners(Geometry::Type shape)
+{
+   static std::map<Geometry::Type, IntegrationRule> rules;
+   const auto [place, is_new] = rules.try_emplace(shape);
+   if (is_new)
+   {
+      place->second = *Geometries.GetVertices(shape);
+      for (IntegrationPoint &corner : place->second)
+      {
+         corner.weight = Geometry::Volume[shape] / place->second.Size();
+      }
+   }
+   return place->second;
+}
+
 // That of the geometry of elements with straight sides.
 const FiniteElement *StraightElement(Geometry::Type shape)
 {
@@ -42,7 +57,7 @@ const FiniteElement *StraightElement(Geometry::Type shape)
 }
 } // namespace
 
-BodyElement::BodyElement(BiphasicSpaces &spaces_, ElementSides sides)
+BodyElement::BodyElement(BiphasicSpaces &spaces_, ElementPoints points)
    : spaces(spaces_)
 {
    begins.push_back(0);
@@ -51,14 +66,14 @@ BodyElement::BodyElement(BiphasicSpaces &spaces_, ElementSides sides)
       const Geometry::Type shape = spaces.GetMesh().GetElementGeometry(e);
       if (tables_of.count(shape) == 0)
       {
-         tables_of.emplace(shape, Tabulate(e, sides));
+         tables_of.emplace(shape, Tabulate(e, points));
       }
       begins.push_back(begins.back() + tables_of.at(shape).rule->GetNPoints());
    }
    KeepGeometry();
 }
 
-BodyElement::Tables BodyElement::Tabulate(int element, ElementSides sides)
+BodyElement::Tables BodyElement::Tabulate(int element, ElementPoints points)
 {
    const FiniteElement &fe = *spaces.Displacement().GetFE(element);
    const FiniteElement &p_fe = *spaces.Pressure().GetFE(element);
@@ -66,12 +81,14 @@ BodyElement::Tables BodyElement::Tabulate(int element, ElementSides sides)
    IsoparametricTransformation straight;
    straight.SetFE(StraightElement(fe.GetGeomType()));
    const IsoparametricTransformation &shape =
-      sides == ElementSides::straight ? straight : trans;
+      points == ElementPoints::straight ? straight : trans;
    // Exact for products of gradients and for the pressure's mass matrix, on
    // straight elements.
    const int order = 2 * std::max(fe.GetOrder() - 1, 1) + shape.OrderW();
    const IntegrationRule &rule =
-      IntRules.Get(fe.GetGeomType(), QuadratureOrder(fe, shape, order));
+      points == ElementPoints::corners
+         ? Corners(fe.GetGeomType())
+         : IntRules.Get(fe.GetGeomType(), QuadratureOrder(fe, shape, order));
    return {&rule, TabulatedSlopes(fe, rule), TabulatedShapes(p_fe, rule),
            TabulatedSlopes(p_fe, rule)};
 }

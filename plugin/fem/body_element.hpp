@@ -10,12 +10,15 @@
 namespace synovia
 {
 
-/// Which sides the quadrature of BodyElement takes elements to have.
-enum class ElementSides
+/// Which points of elements BodyElement has.
+enum class ElementPoints
 {
+   /// Of a quadrature for the sides that elements have.
    as_meshed,
-   /// Fewer points, where sides are curved: enough for what need not be exact.
-   straight
+   /// Fewer, where sides are curved: enough for what need not be exact.
+   straight,
+   /// Their corners, which stand for equal parts of the reference element.
+   corners
 };
 
 /// Walks through the elements of a biphasic mesh, with what integrals over
@@ -32,7 +35,7 @@ class BodyElement
 public:
    /// Borrows @a spaces.
    explicit BodyElement(BiphasicSpaces &spaces,
-                        ElementSides sides = ElementSides::as_meshed);
+                        ElementPoints points = ElementPoints::as_meshed);
 
    /// How many points all elements of this rank have.
    int AllPoints() const { return begins.back(); }
@@ -89,7 +92,7 @@ private:
       mfem::DenseMatrix p_shapes;
       mfem::DenseMatrix p_slopes;
    };
-   Tables Tabulate(int element, ElementSides sides);
+   Tables Tabulate(int element, ElementPoints points);
    void KeepGeometry();
    /// Of a point, dxi_c / dx_b at 3 c + b.
    const mfem::real_t *InverseJacobian(int point) const

@@ -11,23 +11,12 @@ using namespace mfem;
 
 namespace
 {
-// The derivatives of a component of a tensor by F.
-Tensor3<> Row(const Tangent3 &tangent, int component)
-{
-   Tensor3<> row;
-   for (int k = 0; k < 9; k++)
-   {
-      row[k / 3][k % 3] = tangent[component][k];
-   }
-   return row;
-}
-
 // The change of component a of the flow K grad p with F.
 Tensor3<> FlowChange(const Tangent3 &tangent, const Vector3<> &grad_p, int a)
 {
-   return grad_p[0] * Row(tangent, 3 * a) +
-          grad_p[1] * Row(tangent, 3 * a + 1) +
-          grad_p[2] * Row(tangent, 3 * a + 2);
+   return grad_p[0] * ComponentDerivative(tangent, 3 * a) +
+          grad_p[1] * ComponentDerivative(tangent, 3 * a + 1) +
+          grad_p[2] * ComponentDerivative(tangent, 3 * a + 2);
 }
 } // namespace
 
@@ -120,9 +109,9 @@ bool ElementTangent::Compute(BodyElement &element, const Material &material,
       {
          for (int a = 0; a < 3; a++)
          {
-            ContractGradients(Row(tangent, 3 * a + c), gradients, q,
-                              stress_changes.GetColumn(3 * q + c) +
-                                 3 * nodes * a);
+            ContractGradients(
+               ComponentDerivative(tangent, 3 * a + c), gradients, q,
+               stress_changes.GetColumn(3 * q + c) + 3 * nodes * a);
          }
       }
       if (!wet)

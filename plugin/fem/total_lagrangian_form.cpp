@@ -38,7 +38,7 @@ TotalLagrangianForm::TotalLagrangianForm(
    const NamedMesh &mesh_, BiphasicSpaces &spaces_,
    const MaterialTable &materials_,
    const std::vector<SpringFoundation> &springs_, const FollowerLoads &loads_,
-   ElementSides tangent_sides, const GravityLoads *gravity_)
+   ElementPoints tangent_points, const GravityLoads *gravity_)
    : mesh(mesh_), spaces(spaces_), materials(materials_), springs(springs_),
      loads(loads_), gravity(gravity_),
      matrices((VerifyLaws(mesh, materials), spaces), materials),
@@ -56,7 +56,11 @@ TotalLagrangianForm::TotalLagrangianForm(
       smooth_stabilization =
          std::make_unique<SmoothStabilization>(spaces, materials);
    }
-   auto other = std::make_unique<BodyElement>(spaces, tangent_sides);
+   if (spaces.Order() == 1)
+   {
+      barrier = std::make_unique<CornerBarrier>(spaces, materials);
+   }
+   auto other = std::make_unique<BodyElement>(spaces, tangent_points);
    if (other->AllPoints() < element.AllPoints())
    {
       straight_element = std::move(other);
@@ -239,6 +243,11 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage,
       {
          element.Set(e, u, p);
          AddElement(stage);
+         if (barrier)
+         {
+            barrier->Set(e, u, p);
+            barrier->AddForces(local.momentum);
+         }
       }
    }
    SumIntoTrueDofs(spaces.Displacement(), local.momentum, evaluated.momentum);

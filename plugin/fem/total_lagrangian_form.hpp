@@ -2,6 +2,7 @@
 
 #include "synovia/fem/body_element.hpp"
 #include "synovia/fem/body_form.hpp"
+#include "synovia/fem/corner_barrier.hpp"
 #include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/element_tangent.hpp"
 #include "synovia/fem/evaluated_balance.hpp"
@@ -26,20 +27,21 @@ namespace synovia
 ///
 /// less FollowerLoads and GravityLoads, with F = I + grad u, the pressure p of
 /// the fluid in space, and J_0 what the stage begins with: fluid is conserved
-/// to round-off, whatever the step. K is an ElementPermeability.
+/// to round-off, whatever the step. K is an ElementPermeability. Elements of
+/// order 1 have a CornerBarrier.
 class TotalLagrangianForm : public BodyForm
 {
 public:
    /// Borrows all arguments. Throws Error where a material is none for finite
    /// deformation. Tangents are integrated for elements with
-   /// @a tangent_sides: straight ones take a third of the time where sides are
+   /// @a tangent_points: straight ones take a third of the time where sides are
    /// curved, whose part is that at rest then, and Newton's method still solves
    /// for the exact residual. Collective.
    TotalLagrangianForm(const NamedMesh &mesh, BiphasicSpaces &spaces,
                        const MaterialTable &materials,
                        const std::vector<SpringFoundation> &springs,
                        const FollowerLoads &loads,
-                       ElementSides tangent_sides = ElementSides::as_meshed,
+                       ElementPoints tangent_points = ElementPoints::as_meshed,
                        const GravityLoads *gravity = nullptr);
 
    int ConservedSize() const override { return element.AllPoints(); }
@@ -101,8 +103,11 @@ private:
    bool LinearizeElement(BodyElement &points, int number, mfem::real_t dt);
    void AddTangent(int element);
    /// What is impossible at a point of the element, which has this number on
-   /// its rank; without reduction.
+   /// its rank, and at its corners; without reduction.
    std::string ValidatePoint(int number, int point) const;
+   std::string ValidateCorners(int number) const;
+   /// Where a point is whose undeformed coordinates are @a x, and its det F.
+   std::string Place(int number, const mfem::Vector &x, mfem::real_t J) const;
 
    const NamedMesh &mesh;
    BiphasicSpaces &spaces;
@@ -128,6 +133,8 @@ private:
    mutable BodyElement element;
    /// For tangents, where it has fewer points; else null.
    std::unique_ptr<BodyElement> straight_element;
+   /// Null where elements have no need of one.
+   std::unique_ptr<CornerBarrier> barrier;
    ElementTangent tangent;
    mutable MeanDilatation mean_dilatation;
    mutable ElementPermeability permeability;

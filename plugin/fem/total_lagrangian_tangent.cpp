@@ -72,6 +72,11 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
       if (!IsRigid(e))
       {
          LinearizeElement(e, stage.dt);
+         if (barrier)
+         {
+            barrier->Set(e, u, p);
+            barrier->AddTangent(tangent.stiffness);
+         }
          AddTangent(e);
       }
    }

@@ -28,6 +28,11 @@ std::string TotalLagrangianForm::Validate(const BodyStage &stage) const
       {
          failure = ValidatePoint(e, q);
       }
+      if (failure.empty() && barrier)
+      {
+         barrier->Set(e, u, p);
+         failure = ValidateCorners(e);
+      }
    }
    return AgreeOnText(spaces.GetComm(), failure);
 }
@@ -69,12 +74,25 @@ std::string TotalLagrangianForm::ValidatePoint(int number, int point) const
                                     ToText(permeability.VolumeRatio(point)) +
                                     " in the mean of the element"
                                : "";
-   const Vector x = element.Position(point);
-   return "the body " + what + " at (" + ToText(x[0]) + ", " + ToText(x[1]) +
-          ", " + ToText(x[2]) + "), as meshed, in element " +
+   return "the body " + what + Place(number, element.Position(point), J) + mean;
+}
+
+std::string TotalLagrangianForm::ValidateCorners(int number) const
+{
+   const auto inverted = barrier->FindInverted();
+   return inverted ? "the body is turned inside out in a corner" +
+                        Place(number, inverted->position, inverted->J)
+                   : "";
+}
+
+std::string TotalLagrangianForm::Place(int number, const Vector &x,
+                                       real_t J) const
+{
+   return " at (" + ToText(x[0]) + ", " + ToText(x[1]) + ", " + ToText(x[2]) +
+          "), as meshed, in element " +
           std::to_string(mesh.SerialElements()[number]) + " of \"" +
-          NameOf(mesh.Regions(), element.Attribute()) +
-          "\": det F = " + ToText(J) + mean;
+          NameOf(mesh.Regions(), spaces.GetMesh().GetAttribute(number)) +
+          "\": det F = " + ToText(J);
 }
 
 } // namespace synovia

@@ -30,6 +30,17 @@ inline Tangent3 CofactorDerivative(const Tensor3<> &F)
    return derivative;
 }
 
+/// The derivatives by F of the component k of a tensor, at [k / 3][k % 3].
+inline Tensor3<> ComponentDerivative(const Tangent3 &tangent, int component)
+{
+   Tensor3<> row;
+   for (int k = 0; k < 9; k++)
+   {
+      row[k / 3][k % 3] = tangent[component][k];
+   }
+   return row;
+}
+
 /// Adds @a factor x A (x) B: the derivative of A f, where B = df/dF.
 inline void AddDyad(mfem::real_t factor, const Tensor3<> &A, const Tensor3<> &B,
                     Tangent3 &tangent)

@@ -438,7 +438,7 @@ std::unique_ptr<BodyForm> BiphasicProblem::MakeBodies()
    }
    return std::make_unique<TotalLagrangianForm>(
       mesh, spaces, materials, conditions->Springs(), conditions->Followers(),
-      ElementSides::straight, gravity.get());
+      ElementPoints::straight, gravity.get());
 }
 
 BiphasicOperator &BiphasicProblem::Operator()

@@ -37,14 +37,14 @@ NamedMesh MakeCurvedBox()
 class CurvedBody
 {
 public:
-   explicit CurvedBody(ElementSides sides)
+   explicit CurvedBody(ElementPoints points)
       : mesh(MakeCurvedBox()), spaces(mesh.Get(), 1),
         conditions(spaces, Deformation::finite)
    {
       materials.Set(mesh.Region("body"), {&solid, &permeability, 0.2});
       form = std::make_unique<TotalLagrangianForm>(
          mesh, spaces, materials, conditions.Springs(), conditions.Followers(),
-         sides);
+         points);
    }
 
    /// Stiffness times a vector where the box is pressed by @a compression.
@@ -107,8 +107,8 @@ TEST_CASE("Straight sides take a tangent that is exact at rest")
 {
    // What straight sides lack at rest is kept in single precision.
    constexpr real_t of_single = 1e-8;
-   CurvedBody exact(ElementSides::as_meshed);
-   CurvedBody fast(ElementSides::straight);
+   CurvedBody exact(ElementPoints::as_meshed);
+   CurvedBody fast(ElementPoints::straight);
    const auto error = [&](real_t compression)
    {
       const Vector expected = exact.Force(compression);

@@ -192,7 +192,7 @@ TEST_CASE("The derivatives of weights are those of differences")
    const std::vector<SpringFoundation> springs;
    const FollowerLoads none(spaces);
    TotalLagrangianForm form(mesh, spaces, materials, springs, none,
-                            ElementSides::as_meshed, &gravity);
+                            ElementPoints::as_meshed, &gravity);
    BodyStage stage;
    stage.dt = 0.7;
    stage.time = 1.0;
