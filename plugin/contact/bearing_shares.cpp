@@ -2,6 +2,7 @@
 #include "synovia/contact/vertex_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace synovia

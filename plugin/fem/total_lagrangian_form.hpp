@@ -33,10 +33,10 @@ class TotalLagrangianForm : public BodyForm
 {
 public:
    /// Borrows all arguments. Throws Error where a material is none for finite
-   /// deformation. Tangents are integrated for elements with
-   /// @a tangent_points: straight ones take a third of the time where sides are
-   /// curved, whose part is that at rest then, and Newton's method still solves
-   /// for the exact residual. Collective.
+   /// deformation. Tangents are integrated at @a tangent_points: those of
+   /// straight sides take a third of the time where sides are curved, whose
+   /// part is that at rest then, and Newton's method still solves for the exact
+   /// residual. Collective.
    TotalLagrangianForm(const NamedMesh &mesh, BiphasicSpaces &spaces,
                        const MaterialTable &materials,
                        const std::vector<SpringFoundation> &springs,
