@@ -64,6 +64,7 @@ BiphasicOperator::BiphasicOperator(
      equations(spaces, conditions, pairs, interfaces,
                MakeTimed(record.times.assembly, make_bodies)),
      start(MakeFirstApproach(body_list, spaces, conditions, pairs)),
+     carried(body_list, spaces, conditions.RigidBodies(), equations.Ties()),
      solver(body_list, spaces, conditions, pairs, interfaces, start, equations,
             options, record)
 {
@@ -154,13 +155,17 @@ ImplicitStage BiphasicOperator::StartStage(real_t dt, const Vector &x)
    equations.Bodies().StartStage(stage, pressure_rate, rates.LastLength());
    const bool no_guess =
       MaxOverRanks(rates.Last().Normlinf(), spaces.GetComm()) == 0.0;
-   if (no_guess)
+   if (carried.Any())
+   {
+      stage.carried = CarriedAlong(stage);
+   }
+   if (no_guess && equations.Bodies().IsLinear())
    {
       stage.from_start = true;
    }
-   else if (!equations.Bodies().Validate(stage).empty())
+   else if (no_guess || !equations.Bodies().Validate(stage).empty())
    {
-      stage.BeginAtRest();
+      stage.BeginAnew();
    }
    return stage;
 }
@@ -185,9 +190,57 @@ void BiphasicOperator::Guess(real_t dt, const Vector &rate,
    const RigidTies &ties = equations.Ties();
    stage.poses = ties.Fit(stage.u, poses);
    ties.Prescribe(stage.time, stage.poses);
+   if (dt > 0.0 && carried.Any())
+   {
+      GuessCarried(dt, rate, stage);
+   }
    const Vector prescribed(stage.u);
    ties.Write(stage.poses, stage.u);
    VerifyTies(ties, conditions.DisplacementDofs(), prescribed, stage);
+}
+
+void BiphasicOperator::GuessCarried(real_t dt, const Vector &rate,
+                                    ImplicitStage &stage) const
+{
+   const RigidTies &ties = equations.Ties();
+   const RigidPoses begin = ties.Fit(stage.u0, poses);
+   Vector before(stage.u0);
+   for (int i = 0; i < before.Size(); i++)
+   {
+      before[i] -= dt * rate[i];
+   }
+   carried.Carry(ties.Fit(before, begin), begin, before);
+   Vector expected(stage.u0);
+   expected *= 2.0;
+   expected -= before;
+   carried.Carry(begin, stage.poses, expected);
+   carried.Copy(expected, stage.u);
+   conditions.SetDisplacement(stage.time, stage.u);
+}
+
+std::optional<ImplicitStage::State>
+BiphasicOperator::CarriedAlong(const ImplicitStage &stage) const
+{
+   // Rotations to first order stretch by half the square of the angle (rad).
+   constexpr real_t least_turn = 0.02;
+   const RigidTies &ties = equations.Ties();
+   const RigidPoses begin = ties.Fit(stage.u0, poses);
+   if (carried.Turn(begin, stage.poses) < least_turn)
+   {
+      return std::nullopt;
+   }
+   ImplicitStage along(stage);
+   along.u = stage.u0;
+   along.p = stage.p0;
+   carried.Carry(begin, stage.poses, along.u);
+   conditions.SetDisplacement(stage.time, along.u);
+   conditions.SetPressure(stage.time, along.p);
+   ties.Write(stage.poses, along.u);
+   if (!equations.Bodies().Validate(along).empty())
+   {
+      return std::nullopt;
+   }
+   return ImplicitStage::State{along.u, along.p, stage.poses};
 }
 
 WorkCounts BiphasicOperator::Work() const

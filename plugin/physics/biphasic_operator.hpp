@@ -1,10 +1,12 @@
 #pragma once
 
+#include "synovia/physics/carried_nodes.hpp"
 #include "synovia/physics/rate_history.hpp"
 #include "synovia/physics/stage_solver.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,6 +89,14 @@ private:
    /// Where all would be after @a dt at the @a rate, and supports where they
    /// are at the end of the stage.
    void Guess(mfem::real_t dt, const mfem::Vector &rate, ImplicitStage &stage);
+   /// Lets bodies that are carried deform as seen from what carries them: what
+   /// turns doesn't go along lines.
+   void GuessCarried(mfem::real_t dt, const mfem::Vector &rate,
+                     ImplicitStage &stage) const;
+   /// Where all that isn't carried rests, if what is turns so far that linear
+   /// extrapolation would distort it; with the stage's poses.
+   std::optional<ImplicitStage::State>
+   CarriedAlong(const ImplicitStage &stage) const;
 
    BiphasicSpaces &spaces;
    BoundaryConditions &conditions;
@@ -96,6 +106,7 @@ private:
    SolveRecord record;
    StageEquations equations;
    FirstApproach start;
+   CarriedNodes carried;
    StageSolver solver;
    RateHistory rates{spaces, spaces.Offsets().Last() +
                                 equations.Bodies().ConservedSize()};

@@ -29,9 +29,9 @@ void StageContact::Start(ImplicitStage &stage, TouchRule rule)
       pair->Enforcement().StartStage(stage.time);
       pair->Enforcement().Evaluate(stage.u, stage.p);
    }
-   if (!equations.Bodies().IsLinear() && !stage.from_start && Overlaps())
+   if (!equations.Bodies().IsLinear() && stage.is_expected && Overlaps())
    {
-      stage.BeginAtRest();
+      stage.BeginAnew();
       Search(stage);
       for (ContactPair *pair : pairs)
       {

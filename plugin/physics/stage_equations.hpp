@@ -24,26 +24,35 @@ struct ImplicitStage : BodyStage
    RigidPoses poses;
    /// Whether the bodies' part is that of BodyForm::MultFromStart().
    bool from_start = false;
-   /// The guess that all but supports rests where the stage began; of
-   /// nonlinear bodies only.
-   struct Rest
+   /// Where bodies may begin; of nonlinear bodies only.
+   struct State
    {
       mfem::Vector u;
       mfem::Vector p;
       RigidPoses poses;
-   } rest;
+   };
+   /// All but supports rests where the stage began.
+   State rest;
+   /// The same, but bodies that rigid ones carry have moved along, if these
+   /// turn.
+   std::optional<State> carried;
 
-   /// Takes that guess.
-   void BeginAtRest()
+   /// Begins there rather than where a rate leads: along with what carries the
+   /// bodies where there is such a state, else at rest, with a linear step.
+   void BeginAnew()
    {
-      u = rest.u;
-      p = rest.p;
+      const State &begin = carried ? *carried : rest;
+      u = begin.u;
+      p = begin.p;
       // Contact and loads are evaluated on the host.
       u.HostReadWrite();
       p.HostReadWrite();
-      poses = rest.poses;
-      from_start = true;
+      poses = begin.poses;
+      from_start = !carried;
+      is_expected = false;
    }
+   /// Whether it begins where a rate leads.
+   bool is_expected = true;
 };
 
 /// How forces and fluid balance in a stage.

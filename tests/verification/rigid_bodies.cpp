@@ -198,6 +198,22 @@ TEST_CASE("A block between rigid bodies turns by 90 degrees without stress")
    }
 }
 
+TEST_CASE("A body is guessed to turn along with what carries it")
+{
+   Beam beam(Deformation::finite, 1);
+   const int steps = 3;
+   const real_t angle = 0.8 * M_PI;
+   RigidBodyOptions driven = Fixed();
+   driven.reference = Point3{{0.3, -0.5, 0.2}};
+   driven.prescribed[2] = Ramp(steps, 0.4);
+   driven.prescribed[3] = Ramp(steps, angle);
+   beam.problem.AddRigidBody("driven", {"z0"}, driven);
+   beam.March(steps, 1.0);
+   CHECK(beam.counts == " 0 0 0");
+   const RigidPose pose{{0.0, 0.0, 0.4, angle, 0.0, 0.0}};
+   CHECK(DistanceFromTurned(beam, pose, *driven.reference) < 1e-10);
+}
+
 TEST_CASE("A free body turns on and on, as far as it is dragged")
 {
    // By one turn and a half, about an axis between those of the space.
