@@ -1,4 +1,5 @@
 #include "synovia/checks/vertex_normals.hpp"
+#include "synovia/general/angle_between.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ real_t AngleAt(const std::vector<Point3> &points, size_t corner)
    const Point3 &at = points[corner];
    const Point3 next = Sum(points[(corner + 1) % count], -1.0, at);
    const Point3 last = Sum(points[(corner + count - 1) % count], -1.0, at);
-   return std::atan2(Length(Cross(next, last)), Dot(next, last));
+   return AngleBetween(next, last);
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "synovia/contact/bearing_shares.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
+#include "synovia/general/angle_between.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,11 +21,6 @@ struct Facing
    real_t angle;
 };
 
-real_t Angle(const Point3 &a, const Point3 &b)
-{
-   return std::atan2(Length(Cross(a, b)), Dot(a, b));
-}
-
 Facing FacingAt(const SurfacePairing &pairing, const PairedPoint &point)
 {
    const Point3 own =
@@ -32,7 +28,7 @@ Facing FacingAt(const SurfacePairing &pairing, const PairedPoint &point)
    const Point3 other = pairing.SourceFaces()[point.source]
                            .shape(point.hit.x, point.hit.y)
                            .UnitNormal();
-   return {own, M_PI - Angle(own, other)};
+   return {own, M_PI - AngleBetween(own, other)};
 }
 
 /// Means around vertices of the destination, which points count for the more
@@ -122,7 +118,7 @@ FaceShares BearingShares(const SurfacePairing &pairing, const RimVertices &rim,
          {
             const real_t away = facing[end].angle - best.angles[vertices[j]];
             const real_t turn =
-               Angle(facing[end].normal, best.Normal(vertices[j]));
+               AngleBetween(facing[end].normal, best.Normal(vertices[j]));
             const real_t beyond = std::min(away, turn) / bearing_angle;
             borne[j] +=
                points[end].area *
