@@ -24,6 +24,8 @@ struct ImplicitStage : BodyStage
    RigidPoses poses;
    /// Whether the bodies' part is that of BodyForm::MultFromStart().
    bool from_start = false;
+   /// Whether it begins where a rate leads.
+   bool is_expected = true;
    /// Where bodies may begin; of nonlinear bodies only.
    struct State
    {
@@ -51,8 +53,6 @@ struct ImplicitStage : BodyStage
       from_start = !carried;
       is_expected = false;
    }
-   /// Whether it begins where a rate leads.
-   bool is_expected = true;
 };
 
 /// How forces and fluid balance in a stage.
