@@ -114,9 +114,6 @@ KeyTable NewtonKeys(NewtonTuning &newton)
 KeyTable FactorizationKeys(FactorizationTuning &factorization)
 {
    KeyTable keys;
-   Add(keys, "stiff_fibers", factorization.stiff_fibers,
-       NumberRange::AtLeast(1.0),
-       "anisotropy above which \"auto\" factorizes twice as many unknowns");
    Add(keys, "compression", factorization.compression,
        NumberRange::From(0.0, 1.0),
        "accuracy of blocks of low rank in unsymmetric factors; 0: none");
@@ -164,7 +161,7 @@ KeyTable MultigridKeys(MultigridTuning &multigrid)
        "H_A/G below which one sweep each way smooths");
    Add(keys, "smooth_anisotropy", multigrid.smooth_anisotropy,
        NumberRange::AtLeast(0.0),
-       "anisotropy below which one sweep each way smooths");
+       "anisotropy above which displacements are solved for exactly");
    Add(keys, "second_cycle", multigrid.second_cycle, NumberRange::AtLeast(0.0),
        "H_A/G above which two V-cycles are made");
    Add(keys, "schur_compliance", multigrid.schur_compliance,

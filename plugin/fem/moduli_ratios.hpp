@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/materials/material_table.hpp"
 
 namespace synovia
@@ -14,7 +15,9 @@ struct ModuliRatios
    mfem::real_t incompressibility = 0.0;
    /// The largest stiffness along an axis of space over the aggregate modulus
    /// in the softest direction: 1 for isotropic solids, and at least a quarter
-   /// of the ratio of the fibers' stiffness to the matrix' between them.
+   /// of the ratio of the fibers' stiffness to the matrix' between them. Solids
+   /// of finite deformation are looked at as meshed and stretched by a
+   /// twentieth, as fibers that resist tension only are slack as meshed.
    mfem::real_t anisotropy = 0.0;
 };
 
@@ -22,5 +25,10 @@ struct ModuliRatios
 /// material. Collective.
 ModuliRatios FindModuliRatios(mfem::ParMesh &mesh,
                               const MaterialTable &materials);
+
+/// The largest ModuliRatios::anisotropy of the elements around each
+/// displacement true dof; 0 where all are rigid. Collective.
+mfem::Vector FindAnisotropy(BiphasicSpaces &spaces,
+                            const MaterialTable &materials);
 
 } // namespace synovia

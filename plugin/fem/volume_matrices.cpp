@@ -80,6 +80,11 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    divergence.reset(form.ParallelAssemble());
    divergence_transpose.reset(divergence->Transpose());
    moduli = FindModuliRatios(spaces.GetMesh(), materials);
+   constexpr real_t isotropic = 1.01;
+   if (moduli.anisotropy > isotropic)
+   {
+      anisotropy = FindAnisotropy(spaces, materials);
+   }
    // The first bit of MeshGenerator() says so, on all ranks the same.
    order = spaces.Order();
    tetrahedra = (spaces.GetMesh().MeshGenerator() & 1) != 0;

@@ -35,6 +35,8 @@ struct VolumeMatrices
    /// name says.
    bool symmetric = true;
    ModuliRatios moduli;
+   /// FindAnisotropy(); empty where all solids are isotropic.
+   mfem::Vector anisotropy;
    /// Of the displacement.
    int order = 1;
    /// Whether any element of any rank is a tetrahedron.

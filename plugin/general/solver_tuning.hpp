@@ -130,9 +130,6 @@ struct NewtonTuning
 /// Of factorizations that are kept over steps and active sets.
 struct FactorizationTuning
 {
-   /// ModuliRatios::anisotropy above which `auto` factorizes twice as many
-   /// unknowns: multigrid takes two or three times as many iterations there.
-   mfem::real_t stiff_fibers = 100.0;
    /// Unsymmetric matrices with more unknowns than compress_above, and
    /// symmetric ones with more than three times as many, are factorized with
    /// blocks of low rank of this accuracy. Larger: less time and memory for a
@@ -179,11 +176,13 @@ struct MultigridTuning
    /// hypre's threshold of strong couplings in displacement. Larger: sparser
    /// operators on coarse levels, and more iterations.
    mfem::real_t strong_threshold = 0.25;
-   /// Solids whose ModuliRatios are below both of these get one sweep of
-   /// Gauss-Seidel each way, which takes half the time of MFEM's smoother for
-   /// systems. Larger: the same for solids that it smooths slowly. An
-   /// incompressibility of 5 is that of a Poisson's ratio of 0.37.
+   /// Solids whose ModuliRatios::incompressibility is below this get one sweep
+   /// of Gauss-Seidel each way, which takes half the time of MFEM's smoother
+   /// for systems. Larger: the same for solids that it smooths slowly. 5 is
+   /// that of a Poisson's ratio of 0.37.
    mfem::real_t smooth_incompressibility = 5.0;
+   /// Displacements of elements whose ModuliRatios::anisotropy is above this
+   /// are solved for exactly. Larger: multigrid smooths them, slowly.
    mfem::real_t smooth_anisotropy = 3.0;
    /// ModuliRatios::incompressibility (20 for a Poisson's ratio of 0.47) above
    /// which two V-cycles are made instead of one.

@@ -31,17 +31,14 @@ real_t MeanDiagonal(const HypreParMatrix &matrix)
 }
 } // namespace
 
-LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-                          const ModuliRatios &moduli,
-                          const FactorizationTuning &tuning)
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs)
 {
    if (options.method != LinearMethod::automatic)
    {
       return options.method;
    }
-   const int more = moduli.anisotropy > tuning.stiff_fibers ? 2 : 1;
-   return dofs <= more * options.direct_below ? LinearMethod::direct
-                                              : LinearMethod::block_amg;
+   return dofs <= options.direct_below ? LinearMethod::direct
+                                       : LinearMethod::block_amg;
 }
 
 SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
@@ -87,9 +84,11 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
 {
    const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
                              spaces.Pressure().GlobalTrueVSize();
-   options.method = ChooseMethod(options, dofs, jacobian.Volume().moduli,
-                                 tuning.factorization);
-   if (options.method == LinearMethod::direct || !jacobian.Contact().empty())
+   options.method = ChooseMethod(options, dofs);
+   const bool is_anisotropic =
+      jacobian.Volume().moduli.anisotropy > tuning.multigrid.smooth_anisotropy;
+   if (options.method == LinearMethod::direct || !jacobian.Contact().empty() ||
+       is_anisotropic)
    {
       VerifyDirectLibrary(options.direct.library, comm);
    }
@@ -110,8 +109,10 @@ BiphasicLinearSolver::MakePreconditioner() const
    }
    else
    {
-      made = std::make_unique<BlockAmgPreconditioner>(
-         jacobian, comm, options.direct, tuning.multigrid);
+      DirectOptions exact(options.direct);
+      exact.single_precision = tuning.factorization.single_precision;
+      made = std::make_unique<BlockAmgPreconditioner>(jacobian, comm, exact,
+                                                      tuning.multigrid);
    }
    if (jacobian.Ties())
    {

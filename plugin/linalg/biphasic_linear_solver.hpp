@@ -28,8 +28,7 @@ struct LinearOptions
    LinearMethod method = LinearMethod::automatic;
    mfem::real_t relative_tolerance = 1e-8;
    int max_iterations = 300;
-   /// Automatic: up to this many dofs, direct; up to twice as many with fibers
-   /// as stiff as FactorizationTuning::stiff_fibers.
+   /// Automatic: up to this many dofs, direct.
    HYPRE_BigInt direct_below = 250000;
    /// A kept factorization is renewed once its solves have taken this many
    /// iterations more than a new one would have taken: about the cost of a
@@ -42,10 +41,7 @@ struct LinearOptions
 
 /// The method that automatic stands for with so many dofs of all ranks; others
 /// stand for themselves.
-LinearMethod
-ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-             const ModuliRatios &moduli,
-             const FactorizationTuning &tuning = FactorizationTuning());
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs);
 
 /// One attempt to solve a system.
 struct SolveAttempt

@@ -47,22 +47,22 @@ bool TakeWeights(const ContactTerms &pairs, MPI_Comm comm,
    return AnyRank(changed, comm);
 }
 
-std::vector<const HypreParMatrix *> Gaps(const ContactTerms &pairs)
+FilteredAmg::Factors Gaps(const ContactTerms &pairs)
 {
-   std::vector<const HypreParMatrix *> gaps;
+   FilteredAmg::Factors gaps;
    for (const ContactFactors &pair : pairs)
    {
-      gaps.push_back(pair.gap);
+      gaps.push_back({pair.gap, pair.gap_change});
    }
    return gaps;
 }
 
-std::vector<const HypreParMatrix *> Jumps(const ContactTerms &pairs)
+FilteredAmg::Factors Jumps(const ContactTerms &pairs)
 {
-   std::vector<const HypreParMatrix *> jumps;
+   FilteredAmg::Factors jumps;
    for (const ContactFactors &pair : pairs)
    {
-      jumps.push_back(pair.jump);
+      jumps.push_back({pair.jump, pair.jump});
    }
    return jumps;
 }
@@ -101,8 +101,22 @@ void SmoothOnceEachWay(HypreBoomerAMG &amg, bool tetrahedra,
 
 bool SmoothsWell(const ModuliRatios &moduli, const MultigridTuning &tuning)
 {
-   return moduli.incompressibility < tuning.smooth_incompressibility &&
-          moduli.anisotropy < tuning.smooth_anisotropy;
+   return moduli.incompressibility < tuning.smooth_incompressibility;
+}
+
+// Displacements that the smoother hardly moves across fibers.
+Array<int> AnisotropicDofs(const Vector &anisotropy,
+                           const MultigridTuning &tuning)
+{
+   Array<int> dofs;
+   for (int i = 0; i < anisotropy.Size(); i++)
+   {
+      if (anisotropy[i] > tuning.smooth_anisotropy)
+      {
+         dofs.Append(i);
+      }
+   }
+   return dofs;
 }
 
 // Without overlap the filter has half the dofs to solve for, which saves a
@@ -118,9 +132,9 @@ std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices,
 {
    std::unique_ptr<HypreBoomerAMG> amg = FlowAmg();
    amg->SetSystemsOptions(3, false);
-   // The smoother works slowly on what keeps the volume, and across fibers:
-   // more of it is less work in all then, and two V-cycles where the solid
-   // hardly gives way (30 iterations instead of 45).
+   // The smoother works slowly on what keeps the volume: more of it is less
+   // work in all then, and two V-cycles where the solid hardly gives way (30
+   // iterations instead of 45).
    if (SmoothsWell(matrices.moduli, tuning))
    {
       SmoothOnceEachWay(*amg, matrices.tetrahedra, tuning.strong_threshold);
@@ -144,6 +158,7 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
                                       : MatrixKind::symmetric),
      displacement(std::make_unique<FilteredAmg>(
         jacobian.StiffnessUnderTraction(), jacobian.DisplacementDofs(),
+        AnisotropicDofs(jacobian.Volume().anisotropy, tuning),
         Overlap(jacobian.Volume(), tuning), kind, options))
 {
 }
@@ -256,7 +271,8 @@ bool BlockAmgPreconditioner::Report(const SolveAttempt &attempt)
    {
       extra_iterations += attempt.iterations - fresh_rate * tenths;
    }
-   return false;
+   refined = !attempt.converged && displacement->RefineFactors();
+   return refined;
 }
 
 void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
@@ -269,7 +285,7 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
    {
       displacement->SetFactors(Gaps(jacobian.Contact()));
    }
-   if (moved || gaps_changed)
+   if (moved || gaps_changed || refined)
    {
       displacement->Replace(jacobian.StiffnessUnderTraction(),
                             Gaps(jacobian.Contact()));
@@ -307,7 +323,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       pressure.reset();
       schur = jacobian.SchurComplement(p_dofs, tuning.schur_compliance);
       pressure = std::make_unique<FilteredAmg>(
-         FilteredAmg::Matrices{schur.get()}, p_dofs, 1,
+         FilteredAmg::Matrices{schur.get()}, p_dofs, Array<int>(), 1,
          MatrixKind::positive_definite, options);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
                              FlowAmg());

@@ -17,11 +17,14 @@ namespace synovia
 /// rebuilt when much of the active set has changed since and it has served a
 /// few times as long as building it takes. When the tangent changes, the
 /// hierarchies stay in use until the extra iterations cost as much as new ones.
+///
+/// Displacements of strongly anisotropic elements, as those of fibers in a soft
+/// matrix, are solved for exactly, together with the contact.
 class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
-   /// Borrows @a jacobian. @a options are those of the filters' exact solves.
-   /// Collective.
+   /// Borrows @a jacobian. @a options are those of the filters' exact solves;
+   /// those of symmetric contact alone are in double precision. Collective.
    BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
                           const DirectOptions &options,
                           const MultigridTuning &tuning);
@@ -62,6 +65,8 @@ private:
    int served = 0;
    bool built = false;
    bool moved = true;
+   /// Whether factors of the displacement's filter have been given up.
+   bool refined = false;
    mfem::real_t dt = -1.0;
    /// 1 for the pressures in a pair's jump, 0 for others.
    mfem::Array<int> touched;

@@ -3,6 +3,8 @@
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
 
+#include <algorithm>
+
 namespace synovia
 {
 
@@ -89,11 +91,12 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 } // namespace
 
 FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
-                         int overlap_, MatrixKind kind_,
-                         const DirectOptions &options_)
+                         const Array<int> &exact_, int overlap_,
+                         MatrixKind kind_, const DirectOptions &options_)
    : Solver(terms_.at(0)->Height()), terms(std::move(terms_)),
-     prescribed(prescribed_), overlap(overlap_), kind(kind_), options(options_),
-     residual(height)
+     prescribed(prescribed_), exact(exact_),
+     has_exact(AnyRank(exact.Size() > 0, terms[0]->GetComm())),
+     overlap(overlap_), kind(kind_), options(options_), residual(height)
 {
 }
 
@@ -102,6 +105,10 @@ void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
 {
    ClearHierarchy();
    alike = std::move(alike_);
+   if (has_exact)
+   {
+      delete alike->EliminateRowsCols(exact);
+   }
    amg = std::move(amg_);
    selected.reset();
    amg->SetPrintLevel(0);
@@ -123,26 +130,26 @@ void FilteredAmg::SetOperator(const Operator &)
    MFEM_ABORT("the filtered multigrid keeps its operator");
 }
 
-Array<int> FilteredAmg::Touched(int size, const Matrices &factors)
+Array<int> FilteredAmg::Touched(int size, const Factors &factors)
 {
    Array<int> marker(size);
    marker = 0;
-   for (const HypreParMatrix *factor : factors)
+   for (const Factor &factor : factors)
    {
-      Vector all(factor->Height());
+      Vector all(factor.forces->Height());
       all = 1.0;
-      MarkColumns(*factor, all, marker);
+      MarkColumns(*factor.forces, all, marker);
    }
    return marker;
 }
 
-void FilteredAmg::SetFactors(const Matrices &factors_)
+void FilteredAmg::SetFactors(const Factors &factors_)
 {
    factors = factors_;
    selected.reset();
 }
 
-void FilteredAmg::Replace(Matrices terms_, const Matrices &factors_)
+void FilteredAmg::Replace(Matrices terms_, const Factors &factors_)
 {
    terms = std::move(terms_);
    factors = factors_;
@@ -161,9 +168,13 @@ Array<int> FilteredAmg::Needed(const std::vector<Vector> &weights,
          const bool known = !in_hierarchy.empty() && in_hierarchy[i][j] > 0.0;
          rows[j] = known || weights[i][j] > 0.0 ? 1.0 : 0.0;
       }
-      MarkColumns(*factors[i], rows, marker);
+      MarkColumns(*factors[i].forces, rows, marker);
    }
    for (const int dof : OnHost(held))
+   {
+      marker[dof] = 1;
+   }
+   for (const int dof : exact)
    {
       marker[dof] = 1;
    }
@@ -207,7 +218,8 @@ void FilteredAmg::Restrict()
    }
    contact_solver.reset();
    penalties.reset();
-   factors_in_contact.clear();
+   forces_in_contact.clear();
+   changes_in_contact.clear();
    has_contact = AnyRank(contact_dofs.Size() > 0, terms[0]->GetComm());
    if (!has_contact)
    {
@@ -226,9 +238,14 @@ void FilteredAmg::Restrict()
    counts = 1.0;
    counts.SetSubVector(prescribed, 0.0);
    contact_columns->ScaleRows(counts);
-   for (const HypreParMatrix *factor : factors)
+   for (const Factor &factor : factors)
    {
-      factors_in_contact.emplace_back(ParMult(factor, injection.get(), true));
+      forces_in_contact.emplace_back(
+         ParMult(factor.forces, injection.get(), true));
+      changes_in_contact.emplace_back(
+         factor.changes == factor.forces
+            ? nullptr
+            : ParMult(factor.changes, injection.get(), true));
    }
 }
 
@@ -256,22 +273,68 @@ bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
       return false;
    }
    penalties.reset();
-   for (size_t i = 0; i < factors_in_contact.size(); i++)
+   for (size_t i = 0; i < forces_in_contact.size(); i++)
    {
-      const HypreParMatrix &factor = *factors_in_contact[i];
-      AddTo(penalties, WeightedProduct(factor, weights[i], factor));
+      const HypreParMatrix &forces = *forces_in_contact[i];
+      AddTo(penalties,
+            WeightedProduct(forces, weights[i],
+                            changes_in_contact[i] ? *changes_in_contact[i]
+                                                  : forces));
    }
    const std::unique_ptr<HypreParMatrix> whole(
-      Add(1.0, *matrix_in_contact, 1.0, *penalties));
+      penalties ? Add(1.0, *matrix_in_contact, 1.0, *penalties)
+                : new HypreParMatrix(*matrix_in_contact));
    HoldContact(*whole);
+   try
+   {
+      Factorize(*whole);
+   }
+   catch (const FactorizationError &)
+   {
+      if (!RefineFactors())
+      {
+         throw;
+      }
+      Factorize(*whole);
+   }
+   return true;
+}
+
+void FilteredAmg::Factorize(const HypreParMatrix &in_contact)
+{
    if (contact_solver)
    {
-      contact_solver->SetOperator(*whole);
+      contact_solver->SetOperator(in_contact);
    }
    else
    {
-      contact_solver = MakeDirectSolver(*whole, kind, options);
+      DirectOptions chosen(options);
+      chosen.single_precision = IsInSinglePrecision();
+      contact_solver = MakeDirectSolver(
+         in_contact, IsSymmetric() ? kind : MatrixKind::general, chosen);
    }
+}
+
+bool FilteredAmg::IsInSinglePrecision() const
+{
+   return options.single_precision && (has_exact || !IsSymmetric());
+}
+
+bool FilteredAmg::IsSymmetric() const
+{
+   return std::all_of(changes_in_contact.begin(), changes_in_contact.end(),
+                      [](const std::unique_ptr<HypreParMatrix> &changes)
+                      { return !changes; });
+}
+
+bool FilteredAmg::RefineFactors()
+{
+   if (!IsInSinglePrecision())
+   {
+      return false;
+   }
+   options.single_precision = false;
+   contact_solver.reset();
    return true;
 }
 
@@ -304,8 +367,11 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
 
    residual = x;
    contact_columns->Mult(-1.0, first, 1.0, residual);
-   penalties->Mult(-1.0, first, 0.0, small_residual);
-   residual.AddElementVector(contact_dofs, small_residual);
+   if (penalties)
+   {
+      penalties->Mult(-1.0, first, 0.0, small_residual);
+      residual.AddElementVector(contact_dofs, small_residual);
+   }
    residual.SetSubVector(held, 0.0);
    amg->Mult(residual, y);
    y.SetSubVector(held, 0.0);
@@ -314,7 +380,10 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
    // now is due to the V-cycle.
    y.GetSubVector(contact_dofs, small_correction);
    contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
-   penalties->Mult(-1.0, small_correction, 1.0, small_residual);
+   if (penalties)
+   {
+      penalties->Mult(-1.0, small_correction, 1.0, small_residual);
+   }
    small_residual.SetSubVector(held_in_contact, 0.0);
    contact_solver->Mult(small_residual, small_correction);
    small_correction += first;

@@ -9,31 +9,44 @@
 namespace synovia
 {
 
-/// Approximate inverse of A + sum F^T W F that seldom rebuilds its hierarchy.
+/// Approximate inverse of A + sum F^T W R that seldom rebuilds its hierarchy.
 ///
 /// A, a sum of matrices, suits multigrid; F the gap or jump operator of a
-/// contact pair, W its weights, the penalties. One V-cycle of BoomerAMG, whose
-/// hierarchy is that of A or of a matrix near to the whole that suits multigrid
-/// as well, stands between two exact solves on the dofs of the rows that have a
-/// weight: filter, V-cycle, filter, with the residual updated in between. So
-/// neither the size of the penalty nor a change of the active set spoils the
-/// multigrid. Dofs that contact holds, such as pressures that drain where there
-/// is none, are left to the exact solves in the same way. The idea is AMG with
-/// filtering (Petrides et al. 2025); there the hierarchy is that of the whole
-/// matrix and the order is AMG, filter, AMG.
+/// contact pair, W its weights, the penalties, and R is F, or how gaps change
+/// where that is another matrix. One V-cycle of BoomerAMG, whose hierarchy is
+/// that of A or of a matrix near to the whole that suits multigrid as well,
+/// stands between two exact solves on the dofs of the rows that have a weight:
+/// filter, V-cycle, filter, with the residual updated in between. So neither
+/// the size of the penalty nor a change of the active set spoils the multigrid.
+/// Dofs that contact holds, such as pressures that drain where there is none,
+/// are left to the exact solves in the same way, and so are those of bodies
+/// that multigrid smooths slowly. The idea is AMG with filtering (Petrides et
+/// al. 2025); there the hierarchy is that of the whole matrix and the order is
+/// AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
    using Matrices = std::vector<const mfem::HypreParMatrix *>;
+   /// F and R of a pair, rows x true dofs.
+   struct Factor
+   {
+      const mfem::HypreParMatrix *forces;
+      const mfem::HypreParMatrix *changes;
+   };
+   using Factors = std::vector<Factor>;
 
    /// Borrows @a terms, whose sum is A, at least one; their rows and columns of
    /// the @a prescribed true dofs, ascending, don't count: those have unit rows
    /// in the inverse.
-   /// Solves exactly for @a overlap layers of dofs around those of the rows
-   /// that have a weight, too, with a direct solver that has @a options, for
-   /// matrices of this @a kind.
-   FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed, int overlap,
-               MatrixKind kind, const DirectOptions &options);
+   /// Solves exactly for the @a exact dofs, too, of which multigrid then knows
+   /// nothing, and for @a overlap layers of dofs around these and those of the
+   /// rows that have a weight, with a direct solver that has @a options, for
+   /// matrices of this @a kind where no R is another than F. Factors are in
+   /// single precision, if @a options say so, only where there are exact dofs
+   /// or an R is another than F. Collective.
+   FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed,
+               const mfem::Array<int> &exact, int overlap, MatrixKind kind,
+               const DirectOptions &options);
 
    /// Takes @a amg, with its options but without an operator, and builds its
    /// hierarchy on @a alike, which has unit rows and columns for the prescribed
@@ -42,13 +55,13 @@ public:
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
                      std::unique_ptr<mfem::HypreBoomerAMG> amg);
    void ClearHierarchy();
-   /// Borrows the contact operators F, rows x true dofs, until the next call.
-   /// Their columns at prescribed dofs don't count. SetWeights() must follow.
-   void SetFactors(const Matrices &factors);
+   /// Borrows the contact operators until the next call. Their columns at
+   /// prescribed dofs don't count. SetWeights() must follow.
+   void SetFactors(const Factors &factors);
    /// Replaces A's terms and the factors, borrowed, by others that differ
    /// little: hierarchy and factorization stay in use until the dofs to solve
    /// for exactly change.
-   void Replace(Matrices terms, const Matrices &factors);
+   void Replace(Matrices terms, const Factors &factors);
    /// Sets dofs, ascending and among those that Touched() gives for the
    /// factors, that are treated as if they were prescribed, although they are
    /// free in the hierarchy. SetWeights() must follow.
@@ -59,17 +72,21 @@ public:
    /// the exact solves correct it there. Throws FactorizationError. Collective.
    bool SetWeights(const std::vector<mfem::Vector> &weights,
                    const std::vector<mfem::Vector> &in_hierarchy);
+   /// Gives up factors of single precision for good, as SetWeights() does where
+   /// they can't be made; false if they are of double precision. If true,
+   /// SetWeights() must follow.
+   bool RefineFactors();
 
-   /// 1 for the dofs, @a size on this rank, in which a factor has entries, 0
+   /// 1 for the dofs, @a size on this rank, in which an F has entries, 0
    /// elsewhere. Collective.
-   static mfem::Array<int> Touched(int size, const Matrices &factors);
+   static mfem::Array<int> Touched(int size, const Factors &factors);
 
    void SetOperator(const mfem::Operator &) override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
 
 private:
    /// 1 for the dofs of the factors' rows that have a weight, now or in the
-   /// hierarchy, and for those held.
+   /// hierarchy, for those held and for the exact ones.
    mfem::Array<int> Needed(const std::vector<mfem::Vector> &weights,
                            const std::vector<mfem::Vector> &in_hierarchy) const;
    /// Adds to the selected dofs; true if the selection changed on any rank.
@@ -81,16 +98,21 @@ private:
    std::unique_ptr<mfem::HypreParMatrix>
    Columns(const mfem::HypreParMatrix &injection) const;
    void HoldContact(mfem::HypreParMatrix &in_contact);
+   void Factorize(const mfem::HypreParMatrix &in_contact);
+   bool IsSymmetric() const;
+   bool IsInSinglePrecision() const;
 
    Matrices terms;
    mfem::Array<int> prescribed;
+   mfem::Array<int> exact;
+   bool has_exact;
    int overlap;
    MatrixKind kind;
    DirectOptions options;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
-   Matrices factors;
+   Factors factors;
    /// 1 for the dofs to solve for exactly, but for their neighbors; unset after
    /// a change of factors or hierarchy.
    std::optional<mfem::Array<int>> selected;
@@ -101,9 +123,11 @@ private:
    /// A's columns of the contact dofs, without prescribed rows: the contact's
    /// rows as well, as A is symmetric, or nearly so.
    std::unique_ptr<mfem::HypreParMatrix> contact_columns;
-   /// All on the contact dofs alone: A, the factors, and sum F^T W F.
+   /// All on the contact dofs alone: A, F and R, which is null where it is F,
+   /// and sum F^T W R, null where there are no factors.
    std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;
-   std::vector<std::unique_ptr<mfem::HypreParMatrix>> factors_in_contact;
+   std::vector<std::unique_ptr<mfem::HypreParMatrix>> forces_in_contact;
+   std::vector<std::unique_ptr<mfem::HypreParMatrix>> changes_in_contact;
    std::unique_ptr<mfem::HypreParMatrix> penalties;
    std::unique_ptr<mfem::Solver> contact_solver;
    mutable mfem::Vector residual;

@@ -5,6 +5,7 @@
 #include "synovia/checks/ligament_rows.hpp"
 #include "synovia/checks/region_stiffness.hpp"
 #include "synovia/checks/rigid_body_rows.hpp"
+#include "synovia/fem/moduli_ratios.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/text_table.hpp"
 #include "synovia/linalg/direct_preconditioner.hpp"
@@ -70,12 +71,22 @@ void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
    const real_t unknowns = static_cast<real_t>(displacements + pressures);
    const FactorizationTuning &tuning = setup.solver.tuning.factorization;
    const bool direct =
-      ChooseMethod(
-         setup.solver.linear, displacements + pressures,
-         FindModuliRatios(spaces.GetMesh(), problem.Get().Materials()),
-         tuning) == LinearMethod::direct;
+      ChooseMethod(setup.solver.linear, displacements + pressures) ==
+      LinearMethod::direct;
+   real_t factorized = unknowns;
+   if (!direct)
+   {
+      const Vector anisotropy =
+         FindAnisotropy(spaces, problem.Get().Materials());
+      const real_t most = setup.solver.tuning.multigrid.smooth_anisotropy;
+      factorized =
+         SumOverRanks(static_cast<real_t>(std::count_if(
+                         anisotropy.begin(), anisotropy.end(),
+                         [most](real_t here) { return here > most; })),
+                      mesh.GetComm());
+   }
    // Factors of three-dimensional meshes grow like n^(4/3).
-   const real_t factors = direct ? 25.0 * std::pow(unknowns, 4.0 / 3.0) : 0.0;
+   const real_t factors = 25.0 * std::pow(factorized, 4.0 / 3.0);
    // Kept factors collect dense columns where contact changes.
    const real_t columns = direct && !setup.contacts.empty()
                              ? DirectPreconditioner::MostColumns(

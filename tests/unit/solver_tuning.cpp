@@ -142,7 +142,7 @@ TEST_CASE("Every tuning constant has a key, and its default is the struct's")
    const std::vector<std::string> keys = TuningKeys();
    // A member without a key changes the size of the struct only.
    CHECK(sizeof(SolverTuning) <= keys.size() * sizeof(real_t));
-   CHECK(keys.size() == 57);
+   CHECK(keys.size() == 56);
    const CaseFile standard = Parsed({});
    for (const std::string &key : keys)
    {
@@ -249,15 +249,6 @@ TEST_CASE("Tuning reaches the factorization, and the choice of the method")
    CHECK(standard.work.columns > 0);
    CHECK(none.work.columns == 0);
    CHECK(none.work.factorizations > standard.work.factorizations);
-
-   LinearOptions options;
-   options.direct_below = 1000;
-   const ModuliRatios fibers{2.0, 500.0};
-   FactorizationTuning tuning;
-   CHECK(ChooseMethod(options, 2000, fibers, tuning) == LinearMethod::direct);
-   tuning.stiff_fibers = 600.0;
-   CHECK(ChooseMethod(options, 2000, fibers, tuning) ==
-         LinearMethod::block_amg);
 }
 
 TEST_CASE("Factors that are too coarse are given up for better ones")
