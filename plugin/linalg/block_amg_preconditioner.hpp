@@ -24,7 +24,7 @@ class BlockAmgPreconditioner : public BiphasicPreconditioner
 {
 public:
    /// Borrows @a jacobian. @a options are those of the filters' exact solves;
-   /// those of symmetric contact alone are in double precision. Collective.
+   /// without exact displacements they are in double precision. Collective.
    BlockAmgPreconditioner(const BiphasicJacobian &jacobian, MPI_Comm comm,
                           const DirectOptions &options,
                           const MultigridTuning &tuning);

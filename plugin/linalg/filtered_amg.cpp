@@ -98,6 +98,7 @@ FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
      has_exact(AnyRank(exact.Size() > 0, terms[0]->GetComm())),
      overlap(overlap_), kind(kind_), options(options_), residual(height)
 {
+   options.single_precision = options.single_precision && has_exact;
 }
 
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
@@ -238,12 +239,14 @@ void FilteredAmg::Restrict()
    counts = 1.0;
    counts.SetSubVector(prescribed, 0.0);
    contact_columns->ScaleRows(counts);
+   // Between bodies that only multigrid solves for, R beside a hierarchy that
+   // doesn't know it takes up to twice as many iterations as F for it.
    for (const Factor &factor : factors)
    {
       forces_in_contact.emplace_back(
          ParMult(factor.forces, injection.get(), true));
       changes_in_contact.emplace_back(
-         factor.changes == factor.forces
+         factor.changes == factor.forces || !has_exact
             ? nullptr
             : ParMult(factor.changes, injection.get(), true));
    }
@@ -308,16 +311,9 @@ void FilteredAmg::Factorize(const HypreParMatrix &in_contact)
    }
    else
    {
-      DirectOptions chosen(options);
-      chosen.single_precision = IsInSinglePrecision();
       contact_solver = MakeDirectSolver(
-         in_contact, IsSymmetric() ? kind : MatrixKind::general, chosen);
+         in_contact, IsSymmetric() ? kind : MatrixKind::general, options);
    }
-}
-
-bool FilteredAmg::IsInSinglePrecision() const
-{
-   return options.single_precision && (has_exact || !IsSymmetric());
 }
 
 bool FilteredAmg::IsSymmetric() const
@@ -329,7 +325,7 @@ bool FilteredAmg::IsSymmetric() const
 
 bool FilteredAmg::RefineFactors()
 {
-   if (!IsInSinglePrecision())
+   if (!options.single_precision)
    {
       return false;
    }

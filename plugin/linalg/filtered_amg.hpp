@@ -41,9 +41,9 @@ public:
    /// Solves exactly for the @a exact dofs, too, of which multigrid then knows
    /// nothing, and for @a overlap layers of dofs around these and those of the
    /// rows that have a weight, with a direct solver that has @a options, for
-   /// matrices of this @a kind where no R is another than F. Factors are in
-   /// single precision, if @a options say so, only where there are exact dofs
-   /// or an R is another than F. Collective.
+   /// matrices of this @a kind where no R is another than F. Only where there
+   /// are exact dofs are factors in single precision, if @a options say so, and
+   /// R more than F. Collective.
    FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed,
                const mfem::Array<int> &exact, int overlap, MatrixKind kind,
                const DirectOptions &options);
@@ -100,7 +100,6 @@ private:
    void HoldContact(mfem::HypreParMatrix &in_contact);
    void Factorize(const mfem::HypreParMatrix &in_contact);
    bool IsSymmetric() const;
-   bool IsInSinglePrecision() const;
 
    Matrices terms;
    mfem::Array<int> prescribed;
