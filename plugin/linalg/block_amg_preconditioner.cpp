@@ -190,10 +190,15 @@ void BlockAmgPreconditioner::ContactMoved()
 
 void BlockAmgPreconditioner::Update()
 {
+   // What is solved for exactly follows each tangent, as old derivatives of
+   // contact tractions can take a hundred iterations. Between bodies that only
+   // multigrid solves for, new ones beside an old hierarchy are worse.
+   const bool follows_exactly = tangent_changed && displacement->HasExact();
    if (tangent_changed)
    {
       FollowTangent();
    }
+   const bool entries_changed = moved || follows_exactly;
    const bool gaps_changed =
       TakeWeights(jacobian.Contact(), comm, gap_weights,
                   [](const ContactFactors &pair) -> const Vector &
@@ -202,7 +207,7 @@ void BlockAmgPreconditioner::Update()
       TakeWeights(jacobian.Contact(), comm, jump_weights,
                   [](const ContactFactors &pair) -> const Vector &
                   { return *pair.jump_weights; });
-   UpdateDisplacement(gaps_changed);
+   UpdateDisplacement(gaps_changed, entries_changed);
    UpdatePressure(jumps_changed);
    moved = false;
 }
@@ -275,17 +280,18 @@ bool BlockAmgPreconditioner::Report(const SolveAttempt &attempt)
    return refined;
 }
 
-void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed)
+void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed,
+                                                bool entries_changed)
 {
    if (!built || ((moved || gaps_changed) && IsOutdated()))
    {
       BuildHierarchy();
    }
-   if (moved)
+   if (entries_changed)
    {
       displacement->SetFactors(Gaps(jacobian.Contact()));
    }
-   if (moved || gaps_changed || refined)
+   if (entries_changed || gaps_changed || refined)
    {
       displacement->Replace(jacobian.StiffnessUnderTraction(),
                             Gaps(jacobian.Contact()));

@@ -42,7 +42,7 @@ private:
    void BuildHierarchy();
    /// Follows the tangent with the present hierarchies, or has new ones made.
    void FollowTangent();
-   void UpdateDisplacement(bool gaps_changed);
+   void UpdateDisplacement(bool gaps_changed, bool entries_changed);
    void UpdatePressure(bool jumps_changed);
 
    const BiphasicJacobian &jacobian;

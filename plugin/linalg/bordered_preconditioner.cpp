@@ -38,6 +38,38 @@ private:
    Vector none;
    mutable Vector free;
 };
+
+/// FGMRES for them, scaled, with the preconditioner of all else.
+class HeldSystem
+{
+public:
+   HeldSystem(const BiphasicJacobian &jacobian, MPI_Comm comm,
+              BiphasicPreconditioner &inner_, real_t force_per_volume)
+      : inner(inner_), held(jacobian),
+        scaled(held, jacobian.Offsets()[1], force_per_volume),
+        scaled_inner(inner, jacobian.Offsets()[1], 1.0 / force_per_volume),
+        solver(comm)
+   {
+      solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
+      solver.SetOperator(scaled);
+      solver.SetPreconditioner(scaled_inner);
+   }
+   /// From the x that is given.
+   SolveAttempt Iterate(int most_iterations, const Vector &b, real_t target,
+                        Vector &x)
+   {
+      solver.SetKDim(most_iterations);
+      solver.iterative_mode = true;
+      return Attempt(inner, most_iterations, b, target, solver, x);
+   }
+
+private:
+   BiphasicPreconditioner &inner;
+   HeldEquations held;
+   ScaledOperator2x2 scaled;
+   ScaledSolver scaled_inner;
+   FGMRESSolver solver;
+};
 } // namespace
 
 BorderedPreconditioner::BorderedPreconditioner(
@@ -45,8 +77,7 @@ BorderedPreconditioner::BorderedPreconditioner(
    std::unique_ptr<BiphasicPreconditioner> inner_)
    : BiphasicPreconditioner(jacobian_.Height()), jacobian(jacobian_),
      comm(comm_), force_per_volume(force_per_volume_), inner(std::move(inner_)),
-     columns(Ties().Slots().size()),
-     held_stiffness(static_cast<int>(columns.size()))
+     columns(Ties().Slots().size())
 {
    for (Vector &column : columns)
    {
@@ -75,84 +106,98 @@ void BorderedPreconditioner::Update()
    {
       SolveColumns();
    }
-   Project();
+   if (!Project() && !fresh)
+   {
+      ImproveColumns();
+      Project();
+   }
    work = inner->Work();
    work.columns += columns_solved;
+}
+
+Vector BorderedPreconditioner::Unit(int freedom) const
+{
+   Vector amounts(Columns());
+   amounts = 0.0;
+   amounts[freedom] = 1.0;
+   Vector unit(height);
+   unit = 0.0;
+   Ties().Scatter(amounts, unit);
+   return unit;
+}
+
+void BorderedPreconditioner::KeepOthers(Vector &forces) const
+{
+   Hold(forces);
+   ScaleFrom(jacobian.Offsets()[1], force_per_volume, forces);
+}
+
+real_t BorderedPreconditioner::NormOnOthers(Vector forces) const
+{
+   KeepOthers(forces);
+   return std::sqrt(InnerProduct(comm, forces, forces));
+}
+
+void BorderedPreconditioner::ForEachColumn(
+   const std::function<void(const Vector &, real_t, Vector &)> &solve)
+{
+   // Good enough for what the columns take to be what the freedoms need.
+   constexpr real_t accuracy = 1e-2;
+   const int pressure_begin = jacobian.Offsets()[1];
+   for (int j = 0; j < Columns(); j++)
+   {
+      Vector forces(height);
+      jacobian.Mult(Unit(j), forces);
+      KeepOthers(forces);
+      forces.Neg();
+      const real_t target =
+         accuracy * std::sqrt(InnerProduct(comm, forces, forces));
+      Hold(columns[j]);
+      ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
+      solve(forces, target, columns[j]);
+      ScaleFrom(pressure_begin, force_per_volume, columns[j]);
+      columns[j].HostReadWrite();
+      columns[j] += Unit(j);
+   }
+   columns_solved += Columns();
+   outdated = false;
 }
 
 void BorderedPreconditioner::SolveColumns()
 {
    constexpr int most_iterations = 200;
-   const int pressure_begin = jacobian.Offsets()[1];
-   const HeldEquations held(jacobian);
-   const ScaledOperator2x2 scaled(held, pressure_begin, force_per_volume);
-   ScaledSolver scaled_inner(*inner, pressure_begin, 1.0 / force_per_volume);
-   FGMRESSolver solver(comm);
-   solver.SetKDim(most_iterations);
-   solver.SetPrintLevel(IterativeSolver::PrintLevel().None());
-   solver.SetOperator(scaled);
-   solver.SetPreconditioner(scaled_inner);
-   solver.iterative_mode = true;
-   column_iterations = 0;
-   for (int j = 0; j < Columns(); j++)
-   {
-      Vector amounts(Columns());
-      amounts = 0.0;
-      amounts[j] = 1.0;
-      Vector unit(height);
-      unit = 0.0;
-      Ties().Scatter(amounts, unit);
-      Vector forces(height);
-      jacobian.Mult(unit, forces);
-      held_stiffness[j] = Ties().Gather(forces)[j];
-      forces.Neg();
-      Hold(forces);
-      ScaleFrom(pressure_begin, force_per_volume, forces);
-      Hold(columns[j]);
-      ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
-      column_iterations += SolveColumn(forces, most_iterations, solver, j);
-      ScaleFrom(pressure_begin, force_per_volume, columns[j]);
-      columns[j].HostReadWrite();
-      columns[j] += unit;
-   }
-   columns_solved += Columns();
-   outdated = false;
-   fresh_rate = 0.0;
-   extra_iterations = 0.0;
+   HeldSystem system(jacobian, comm, *inner, force_per_volume);
+   ForEachColumn(
+      [&](const Vector &forces, real_t target, Vector &column)
+      {
+         // An inner preconditioner of equations that have changed much is
+         // renewed by its own rules, as in other solves.
+         int iterations = 0;
+         bool again = true;
+         while (again && iterations < most_iterations)
+         {
+            const SolveAttempt attempt = system.Iterate(
+               most_iterations - iterations, forces, target, column);
+            iterations += attempt.iterations;
+            again = attempt.iterations > 0 && inner->Report(attempt) &&
+                    !attempt.converged;
+            if (again)
+            {
+               inner->Update();
+            }
+         }
+      });
 }
 
-int BorderedPreconditioner::SolveColumn(const Vector &forces,
-                                        int most_iterations,
-                                        FGMRESSolver &solver, int column)
+void BorderedPreconditioner::ImproveColumns()
 {
-   // Good enough for what the columns take to be what the freedoms need.
-   constexpr real_t accuracy = 1e-2;
-   const real_t target =
-      accuracy * std::sqrt(InnerProduct(comm, forces, forces));
-   // An inner preconditioner of equations that have changed much is renewed by
-   // its own rules, as in other solves.
-   int iterations = 0;
-   bool again = true;
-   while (again && iterations < most_iterations)
-   {
-      const SolveAttempt attempt =
-         Attempt(*inner, most_iterations - iterations, forces, target, solver,
-                 columns[column]);
-      if (attempt.iterations == 0)
-      {
-         return iterations;
-      }
-      iterations += attempt.iterations;
-      again = inner->Report(attempt) && !attempt.converged;
-      if (again)
-      {
-         inner->Update();
-      }
-   }
-   return iterations;
+   constexpr int most_iterations = 3;
+   HeldSystem system(jacobian, comm, *inner, force_per_volume);
+   ForEachColumn([&](const Vector &forces, real_t target, Vector &column)
+                 { system.Iterate(most_iterations, forces, target, column); });
 }
 
-void BorderedPreconditioner::Project()
+bool BorderedPreconditioner::Project()
 {
    // Keeps a freedom that nothing resists from being a division by zero.
    constexpr real_t round_off = 1e-14;
@@ -166,17 +211,23 @@ void BorderedPreconditioner::Project()
          column[begin + dof] = 0.0;
       }
    }
+   bool good = true;
    for (int j = 0; j < Columns(); j++)
    {
+      jacobian.Mult(Unit(j), product);
+      const real_t held_stiffness = Ties().Gather(product)[j];
+      const real_t alone = NormOnOthers(product);
       jacobian.Mult(columns[j], product);
       const Vector entries = Restrict(product);
       for (int i = 0; i < Columns(); i++)
       {
          middle(i, j) = entries[i];
       }
-      middle(j, j) += round_off * std::abs(held_stiffness[j]);
+      middle(j, j) += round_off * std::abs(held_stiffness);
+      good = good && NormOnOthers(product) <= alone;
    }
    inverse.Factor(middle);
+   return good;
 }
 
 Vector BorderedPreconditioner::Restrict(const Vector &r) const
@@ -201,19 +252,6 @@ int BorderedPreconditioner::Patience() const
 
 bool BorderedPreconditioner::Report(const SolveAttempt &attempt)
 {
-   const real_t tenths = -std::log10(attempt.reduction);
-   if (!std::isfinite(tenths))
-   {
-      fresh_rate = 0.0;
-   }
-   else if (tenths > 0.0 && fresh_rate == 0.0)
-   {
-      fresh_rate = attempt.iterations / tenths;
-   }
-   else if (tenths > 0.0)
-   {
-      extra_iterations += attempt.iterations - fresh_rate * tenths;
-   }
    // Old columns make as many iterations more as there are, at most, for which
    // the inner preconditioner is not to blame.
    SolveAttempt of_inner(attempt);
@@ -222,7 +260,7 @@ bool BorderedPreconditioner::Report(const SolveAttempt &attempt)
                                           attempt.iterations - Columns());
    const bool again = inner->Report(of_inner);
    const bool renew = !attempt.converged && !fresh && Columns() > 0;
-   outdated = outdated || renew || extra_iterations > column_iterations;
+   outdated = outdated || renew;
    return again || renew;
 }
 

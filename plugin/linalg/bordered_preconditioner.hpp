@@ -2,6 +2,8 @@
 
 #include "synovia/linalg/biphasic_linear_solver.hpp"
 
+#include <functional>
+
 namespace synovia
 {
 
@@ -16,8 +18,9 @@ namespace synovia
 ///     y + W (W^T A W)^-1 W^T (x - A y),
 ///
 /// so that the iterations stay those of the inner preconditioner. Columns are
-/// kept while tangent and contact change, and solved for anew once the
-/// iterations that this costs are as many as that takes.
+/// kept while tangent and contact change, and improved where one would be worse
+/// than none: where, with surfaces that touch since, it leaves more force than
+/// the freedom moved alone.
 class BorderedPreconditioner : public BiphasicPreconditioner
 {
 public:
@@ -38,12 +41,23 @@ private:
    int Columns() const { return static_cast<int>(columns.size()); }
    /// Zero in the slots.
    void Hold(mfem::Vector &x) const;
+   /// 1 in the slot of a freedom.
+   mfem::Vector Unit(int freedom) const;
+   /// Scales forces, and has zero in the slots.
+   void KeepOthers(mfem::Vector &forces) const;
+   /// The norm of what is kept.
+   mfem::real_t NormOnOthers(mfem::Vector forces) const;
+   /// Solves for all columns, from what they are.
    void SolveColumns();
-   /// For scaled @a forces, from the column as it is; returns the iterations.
-   int SolveColumn(const mfem::Vector &forces, int most_iterations,
-                   mfem::FGMRESSolver &solver, int column);
-   /// Sets W^T A W.
-   void Project();
+   /// The same with few iterations, of which inner learns nothing.
+   void ImproveColumns();
+   /// Lets @a solve(forces, target, column) change each column, scaled and with
+   /// zero in the slots.
+   void
+   ForEachColumn(const std::function<void(const mfem::Vector &, mfem::real_t,
+                                          mfem::Vector &)> &solve);
+   /// Sets W^T A W; false if a column leaves more force than its freedom alone.
+   bool Project();
    /// W^T r
    mfem::Vector Restrict(const mfem::Vector &r) const;
 
@@ -52,14 +66,8 @@ private:
    mfem::real_t force_per_volume;
    std::unique_ptr<BiphasicPreconditioner> inner;
    std::vector<mfem::Vector> columns;
-   /// Of a freedom whose surroundings are held (force / length).
-   mfem::Vector held_stiffness;
    mfem::DenseMatrixInverse inverse;
-   /// Iterations spent on the columns; iterations of the first solve with them
-   /// for a tenth of the residual; and iterations since beyond that rate.
-   int column_iterations = 0;
-   mfem::real_t fresh_rate = 0.0;
-   mfem::real_t extra_iterations = 0.0;
+   /// Whether the columns are to be solved for as if there were none.
    bool outdated = true;
    /// Whether the columns belong to the present equations.
    bool fresh = false;

@@ -55,6 +55,8 @@ public:
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
                      std::unique_ptr<mfem::HypreBoomerAMG> amg);
    void ClearHierarchy();
+   /// Whether any rank has exact dofs.
+   bool HasExact() const { return has_exact; }
    /// Borrows the contact operators until the next call. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const Factors &factors);

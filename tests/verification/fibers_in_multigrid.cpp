@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
 
 using namespace mfem;
 using namespace synovia;
@@ -35,7 +36,28 @@ struct Solids
    Deformation deformation;
 };
 
-Outcome Press(const Solids &solids, const NonlinearOptions &nonlinear)
+using Drive = std::function<void(BiphasicProblem &)>;
+
+void MoveTop(BiphasicProblem &problem)
+{
+   problem.PrescribeDisplacement("upper_z1", 0, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 2, Ramp(40.0, -0.08));
+}
+
+// On a platen that is held sideways by springs, and may tilt.
+void LoadTop(BiphasicProblem &problem)
+{
+   RigidBodyOptions platen;
+   platen.reference = Point3{{1.1, 0.9, 1.0}};
+   platen.prescribed[5] = 0.0;
+   platen.load[2] = Ramp(40.0, -0.3);
+   platen.stiffness[0] = platen.stiffness[1] = 10.0;
+   problem.AddRigidBody("platen", {"upper_z1"}, platen);
+}
+
+Outcome Press(const Solids &solids, const NonlinearOptions &nonlinear,
+              const Drive &drive = MoveTop)
 {
    BoxOptions layer;
    layer.nx = 6;
@@ -56,9 +78,7 @@ Outcome Press(const Solids &solids, const NonlinearOptions &nonlinear)
    problem.SetMaterial("lower", solids.layer, permeability);
    problem.SetMaterial("upper", solids.box, permeability);
    problem.FixDisplacement("lower_z0");
-   problem.PrescribeDisplacement("upper_z1", 0, 0.0);
-   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
-   problem.PrescribeDisplacement("upper_z1", 2, Ramp(40.0, -0.08));
+   drive(problem);
    problem.PrescribePressure("upper_x1", 0.0);
    problem.AddContact("upper_z0", "lower_z1");
    problem.SetNonlinearOptions(nonlinear);
@@ -99,7 +119,7 @@ void CheckFibers(const Solids &solids)
       CHECK(expected.forces[i] > 0.0);
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-4));
    }
-   CHECK(found.linear <= 12 * found.newton);
+   CHECK(found.linear <= 10 * found.newton);
    CHECK(2 * found.linear <= smoothed.linear);
 }
 } // namespace
@@ -120,6 +140,29 @@ TEST_CASE("Fibers that are slack as meshed cost multigrid no iterations")
    const FiberPowLinear fibers(100.0, 1.01, 3.0, FiberDirection(frame));
    const SolidMixture box({&matrix, &fibers});
    CheckFibers({layer, box, Deformation::finite});
+}
+
+TEST_CASE("A force on a rigid body above fibers costs multigrid few iterations")
+{
+   const CartesianFrame frame({1.0, 2.0, 0.0});
+   const HolmesMow layer(0.69, 0.018, 0.35);
+   const HolmesMow matrix(0.075, 0.3, 0.35);
+   const FiberPowLinear fibers(100.0, 1.01, 3.0, FiberDirection(frame));
+   const SolidMixture box({&matrix, &fibers});
+   const Solids solids{layer, box, Deformation::finite};
+   NonlinearOptions nonlinear;
+   nonlinear.linear.method = LinearMethod::direct;
+   const Outcome expected = Press(solids, nonlinear, LoadTop);
+   nonlinear.linear.method = LinearMethod::block_amg;
+   const Outcome found = Press(solids, nonlinear, LoadTop);
+   CAPTURE(found.linear, found.newton, expected.linear, expected.newton);
+   REQUIRE(found.forces.size() == expected.forces.size());
+   for (std::size_t i = 0; i < found.forces.size(); i++)
+   {
+      CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-4));
+      CHECK(found.forces[i] > 0.0);
+   }
+   CHECK(found.linear <= 10 * found.newton);
 }
 
 TEST_CASE("Bodies with fibers and no contact are solved for exactly, too")
@@ -186,5 +229,5 @@ TEST_CASE("Fibers that single precision doesn't resolve get double")
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-6));
    }
    CHECK(found.newton == expected.newton);
-   CHECK(found.linear <= 12 * found.newton);
+   CHECK(found.linear <= 10 * found.newton);
 }
