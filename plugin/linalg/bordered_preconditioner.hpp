@@ -67,7 +67,7 @@ private:
    std::unique_ptr<BiphasicPreconditioner> inner;
    std::vector<mfem::Vector> columns;
    mfem::DenseMatrixInverse inverse;
-   /// Whether the columns are to be solved for as if there were none.
+   /// Whether the columns are to be solved for, and not only improved.
    bool outdated = true;
    /// Whether the columns belong to the present equations.
    bool fresh = false;
