@@ -267,8 +267,11 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .From(1, 100000);
    keys
       .Value("direct_below", linear.direct_below, "",
-             "for \"auto\": up to this many unknowns a factorization is kept; "
-             "twice as many with stiff fibers")
+             "for \"auto\": up to this many unknowns a factorization is kept")
+      .AtLeast(0);
+   keys
+      .Value("direct_below_with_fibers", linear.direct_below_with_fibers, "",
+             "the same where bodies of infinitesimal strain have fibers")
       .AtLeast(0);
    keys.Word<DirectLibrary>(
       "direct", linear.direct.library, DirectLibraryWords(),

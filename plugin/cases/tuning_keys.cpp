@@ -162,6 +162,9 @@ KeyTable MultigridKeys(MultigridTuning &multigrid)
    Add(keys, "smooth_anisotropy", multigrid.smooth_anisotropy,
        NumberRange::AtLeast(0.0),
        "anisotropy above which displacements are solved for exactly");
+   Add(keys, "max_filter_columns", multigrid.max_filter_columns,
+       NumberRange::From(0, most_iterations),
+       "most changed contacts that the exact solves take as columns");
    Add(keys, "second_cycle", multigrid.second_cycle, NumberRange::AtLeast(0.0),
        "H_A/G above which two V-cycles are made");
    Add(keys, "schur_compliance", multigrid.schur_compliance,

@@ -184,6 +184,10 @@ struct MultigridTuning
    /// Displacements of elements whose ModuliRatios::anisotropy is above this
    /// are solved for exactly. Larger: multigrid smooths them, slowly.
    mfem::real_t smooth_anisotropy = 3.0;
+   /// How many changed rows of contact the exact solves for displacements take
+   /// as columns before they are factorized anew, while operators stay. Larger:
+   /// fewer factorizations, but each solve takes longer.
+   int max_filter_columns = 64;
    /// ModuliRatios::incompressibility (20 for a Poisson's ratio of 0.47) above
    /// which two V-cycles are made instead of one.
    mfem::real_t second_cycle = 20.0;

@@ -31,14 +31,16 @@ real_t MeanDiagonal(const HypreParMatrix &matrix)
 }
 } // namespace
 
-LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs)
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          bool linear_fibers)
 {
    if (options.method != LinearMethod::automatic)
    {
       return options.method;
    }
-   return dofs <= options.direct_below ? LinearMethod::direct
-                                       : LinearMethod::block_amg;
+   const HYPRE_BigInt most =
+      linear_fibers ? options.direct_below_with_fibers : options.direct_below;
+   return dofs <= most ? LinearMethod::direct : LinearMethod::block_amg;
 }
 
 SolveAttempt Attempt(const BiphasicPreconditioner &preconditioner, int most,
@@ -84,9 +86,10 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
 {
    const HYPRE_BigInt dofs = spaces.Displacement().GlobalTrueVSize() +
                              spaces.Pressure().GlobalTrueVSize();
-   options.method = ChooseMethod(options, dofs);
    const bool is_anisotropic =
       jacobian.Volume().moduli.anisotropy > tuning.multigrid.smooth_anisotropy;
+   options.method = ChooseMethod(options, dofs,
+                                 is_anisotropic && jacobian.Volume().symmetric);
    if (options.method == LinearMethod::direct || !jacobian.Contact().empty() ||
        is_anisotropic)
    {

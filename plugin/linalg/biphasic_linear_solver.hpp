@@ -30,6 +30,9 @@ struct LinearOptions
    int max_iterations = 300;
    /// Automatic: up to this many dofs, direct.
    HYPRE_BigInt direct_below = 250000;
+   /// The same where bodies of infinitesimal strain have fibers, for which
+   /// multigrid leaves less to factorize.
+   HYPRE_BigInt direct_below_with_fibers = 150000;
    /// A kept factorization is renewed once its solves have taken this many
    /// iterations more than a new one would have taken: about the cost of a
    /// factorization.
@@ -39,9 +42,10 @@ struct LinearOptions
    DirectOptions direct;
 };
 
-/// The method that automatic stands for with so many dofs of all ranks; others
-/// stand for themselves.
-LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs);
+/// The method that automatic stands for with so many dofs of all ranks, and
+/// with fibers in infinitesimal strain or not; others stand for themselves.
+LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
+                          bool linear_fibers);
 
 /// One attempt to solve a system.
 struct SolveAttempt

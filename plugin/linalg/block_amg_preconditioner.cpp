@@ -155,12 +155,17 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
      // Under a load, the stiffness of bodies of finite deformation need not be
      // definite.
      kind(jacobian.Volume().symmetric ? MatrixKind::positive_definite
-                                      : MatrixKind::symmetric),
-     displacement(std::make_unique<FilteredAmg>(
-        jacobian.StiffnessUnderTraction(), jacobian.DisplacementDofs(),
-        AnisotropicDofs(jacobian.Volume().anisotropy, tuning),
-        Overlap(jacobian.Volume(), tuning), kind, options))
+                                      : MatrixKind::symmetric)
 {
+   const Array<int> exact =
+      AnisotropicDofs(jacobian.Volume().anisotropy, tuning);
+   // Between bodies that only multigrid solves for, filters are small.
+   options.single_precision =
+      options.single_precision && AnyRank(exact.Size() > 0, comm);
+   displacement = std::make_unique<FilteredAmg>(
+      jacobian.StiffnessUnderTraction(), jacobian.DisplacementDofs(), exact,
+      Overlap(jacobian.Volume(), tuning), kind, options,
+      tuning.max_filter_columns);
 }
 
 void BlockAmgPreconditioner::TangentChanged()
@@ -276,8 +281,17 @@ bool BlockAmgPreconditioner::Report(const SolveAttempt &attempt)
    {
       extra_iterations += attempt.iterations - fresh_rate * tenths;
    }
-   refined = !attempt.converged && displacement->RefineFactors();
-   return refined;
+   improved = !attempt.converged && Improve();
+   return improved;
+}
+
+bool BlockAmgPreconditioner::Improve()
+{
+   const bool displacement_improved = displacement->Improve();
+   const bool pressure_improved = pressure->Improve();
+   // Those to come, too.
+   options.single_precision = options.single_precision && !pressure_improved;
+   return displacement_improved || pressure_improved;
 }
 
 void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed,
@@ -291,12 +305,11 @@ void BlockAmgPreconditioner::UpdateDisplacement(bool gaps_changed,
    {
       displacement->SetFactors(Gaps(jacobian.Contact()));
    }
-   if (entries_changed || gaps_changed || refined)
+   if (entries_changed || gaps_changed || improved)
    {
       displacement->Replace(jacobian.StiffnessUnderTraction(),
                             Gaps(jacobian.Contact()));
-      work.factorizations +=
-         displacement->SetWeights(gap_weights, soft_weights);
+      displacement->SetWeights(gap_weights, soft_weights, work);
    }
 }
 
@@ -330,7 +343,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       schur = jacobian.SchurComplement(p_dofs, tuning.schur_compliance);
       pressure = std::make_unique<FilteredAmg>(
          FilteredAmg::Matrices{schur.get()}, p_dofs, Array<int>(), 1,
-         MatrixKind::positive_definite, options);
+         MatrixKind::positive_definite, options, 0);
       pressure->SetHierarchy(std::make_unique<HypreParMatrix>(*schur),
                              FlowAmg());
       work.setups++;
@@ -339,7 +352,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
    {
       pressure->SetFactors(Jumps(jacobian.Contact()));
    }
-   if (moved || other_matrix || other_drained || jumps_changed)
+   if (moved || other_matrix || other_drained || jumps_changed || improved)
    {
       held = drained;
       pressure->SetHeld(held);
@@ -348,7 +361,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
       {
          w *= dt;
       }
-      work.factorizations += pressure->SetWeights(weights, {});
+      pressure->SetWeights(weights, {}, work);
    }
 }
 

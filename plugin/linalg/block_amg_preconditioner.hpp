@@ -42,6 +42,8 @@ private:
    void BuildHierarchy();
    /// Follows the tangent with the present hierarchies, or has new ones made.
    void FollowTangent();
+   /// Has better exact solves made; false if there are none.
+   bool Improve();
    void UpdateDisplacement(bool gaps_changed, bool entries_changed);
    void UpdatePressure(bool jumps_changed);
 
@@ -65,8 +67,8 @@ private:
    int served = 0;
    bool built = false;
    bool moved = true;
-   /// Whether factors of the displacement's filter have been given up.
-   bool refined = false;
+   /// Whether the filters are to be factorized anew as they served badly.
+   bool improved = false;
    mfem::real_t dt = -1.0;
    /// 1 for the pressures in a pair's jump, 0 for others.
    mfem::Array<int> touched;

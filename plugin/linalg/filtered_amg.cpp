@@ -2,8 +2,7 @@
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
-
-#include <algorithm>
+#include "synovia/linalg/injection.hpp"
 
 namespace synovia
 {
@@ -12,32 +11,6 @@ using namespace mfem;
 
 namespace
 {
-// Picks the dofs out of a vector: rows x dofs, one entry a row... its transpose
-// puts them back.
-std::unique_ptr<HypreParMatrix> Injection(const HypreParMatrix &square,
-                                          const Array<int> &dofs)
-{
-   MPI_Comm comm = square.GetComm();
-   HYPRE_BigInt local = dofs.Size();
-   HYPRE_BigInt end = 0;
-   MPI_Scan(&local, &end, 1, HYPRE_MPI_BIG_INT, MPI_SUM, comm);
-   HYPRE_BigInt columns = 0;
-   MPI_Allreduce(&local, &columns, 1, HYPRE_MPI_BIG_INT, MPI_SUM, comm);
-   HYPRE_BigInt column_offsets[2] = {end - local, end};
-
-   SparseMatrix injection(square.Height(), dofs.Size());
-   for (int j = 0; j < dofs.Size(); j++)
-   {
-      injection.Set(dofs[j], j, 1.0);
-   }
-   injection.Finalize();
-   HYPRE_BigInt row_offsets[2] = {square.RowPart()[0], square.RowPart()[1]};
-   const HypreParMatrix borrowed(comm, square.GetGlobalNumRows(), columns,
-                                 row_offsets, column_offsets, &injection);
-   // A copy owns its offsets and entries.
-   return std::make_unique<HypreParMatrix>(borrowed);
-}
-
 // Marks the local true dofs in which those rows of a distributed matrix have
 // entries that are positive in @a rows.
 void MarkColumns(const HypreParMatrix &matrix, const Vector &rows,
@@ -92,13 +65,14 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 
 FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
                          const Array<int> &exact_, int overlap_,
-                         MatrixKind kind_, const DirectOptions &options_)
+                         MatrixKind kind_, const DirectOptions &options_,
+                         int most_columns)
    : Solver(terms_.at(0)->Height()), terms(std::move(terms_)),
      prescribed(prescribed_), exact(exact_),
      has_exact(AnyRank(exact.Size() > 0, terms[0]->GetComm())),
-     overlap(overlap_), kind(kind_), options(options_), residual(height)
+     overlap(overlap_), in_contact(kind_, options_, most_columns),
+     residual(height)
 {
-   options.single_precision = options.single_precision && has_exact;
 }
 
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
@@ -109,6 +83,10 @@ void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
    if (has_exact)
    {
       delete alike->EliminateRowsCols(exact);
+      // It leaves zeros, and sweeps take as long over them: up to two thirds of
+      // all entries.
+      constexpr real_t zero = 1e-20;
+      alike->DropSmallEntries(zero);
    }
    amg = std::move(amg_);
    selected.reset();
@@ -217,10 +195,6 @@ void FilteredAmg::Restrict()
          contact_dofs.Append(i);
       }
    }
-   contact_solver.reset();
-   penalties.reset();
-   forces_in_contact.clear();
-   changes_in_contact.clear();
    has_contact = AnyRank(contact_dofs.Size() > 0, terms[0]->GetComm());
    if (!has_contact)
    {
@@ -233,7 +207,7 @@ void FilteredAmg::Restrict()
       Injection(*terms[0], contact_dofs);
    contact_columns = Columns(*injection);
    const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
-   matrix_in_contact.reset(
+   std::unique_ptr<HypreParMatrix> matrix(
       ParMult(restriction.get(), contact_columns.get(), true));
    Vector counts(height);
    counts = 1.0;
@@ -241,15 +215,17 @@ void FilteredAmg::Restrict()
    contact_columns->ScaleRows(counts);
    // Between bodies that only multigrid solves for, R beside a hierarchy that
    // doesn't know it takes up to twice as many iterations as F for it.
+   std::vector<PenalizedSolver::Factor> small_factors;
    for (const Factor &factor : factors)
    {
-      forces_in_contact.emplace_back(
+      const bool one = factor.changes == factor.forces || !has_exact;
+      small_factors.emplace_back();
+      small_factors.back().forces.reset(
          ParMult(factor.forces, injection.get(), true));
-      changes_in_contact.emplace_back(
-         factor.changes == factor.forces || !has_exact
-            ? nullptr
-            : ParMult(factor.changes, injection.get(), true));
+      small_factors.back().changes.reset(
+         one ? nullptr : ParMult(factor.changes, injection.get(), true));
    }
+   in_contact.SetMatrices(std::move(matrix), std::move(small_factors));
 }
 
 std::unique_ptr<HypreParMatrix>
@@ -264,79 +240,24 @@ FilteredAmg::Columns(const HypreParMatrix &injection) const
    return sum;
 }
 
-bool FilteredAmg::SetWeights(const std::vector<Vector> &weights,
-                             const std::vector<Vector> &in_hierarchy)
+void FilteredAmg::SetWeights(const std::vector<Vector> &weights,
+                             const std::vector<Vector> &in_hierarchy,
+                             WorkCounts &work)
 {
    if (Select(Needed(weights, in_hierarchy)))
    {
       Restrict();
    }
-   if (!has_contact)
+   if (has_contact)
    {
-      return false;
-   }
-   penalties.reset();
-   for (size_t i = 0; i < forces_in_contact.size(); i++)
-   {
-      const HypreParMatrix &forces = *forces_in_contact[i];
-      AddTo(penalties,
-            WeightedProduct(forces, weights[i],
-                            changes_in_contact[i] ? *changes_in_contact[i]
-                                                  : forces));
-   }
-   const std::unique_ptr<HypreParMatrix> whole(
-      penalties ? Add(1.0, *matrix_in_contact, 1.0, *penalties)
-                : new HypreParMatrix(*matrix_in_contact));
-   HoldContact(*whole);
-   try
-   {
-      Factorize(*whole);
-   }
-   catch (const FactorizationError &)
-   {
-      if (!RefineFactors())
-      {
-         throw;
-      }
-      Factorize(*whole);
-   }
-   return true;
-}
-
-void FilteredAmg::Factorize(const HypreParMatrix &in_contact)
-{
-   if (contact_solver)
-   {
-      contact_solver->SetOperator(in_contact);
-   }
-   else
-   {
-      contact_solver = MakeDirectSolver(
-         in_contact, IsSymmetric() ? kind : MatrixKind::general, options);
+      in_contact.SetHeld(HeldInContact());
+      in_contact.SetWeights(weights, work);
    }
 }
 
-bool FilteredAmg::IsSymmetric() const
+Array<int> FilteredAmg::HeldInContact() const
 {
-   return std::all_of(changes_in_contact.begin(), changes_in_contact.end(),
-                      [](const std::unique_ptr<HypreParMatrix> &changes)
-                      { return !changes; });
-}
-
-bool FilteredAmg::RefineFactors()
-{
-   if (!options.single_precision)
-   {
-      return false;
-   }
-   options.single_precision = false;
-   contact_solver.reset();
-   return true;
-}
-
-void FilteredAmg::HoldContact(HypreParMatrix &in_contact)
-{
-   held_in_contact.SetSize(0);
+   Array<int> places;
    for (const int dof : OnHost(held))
    {
       const int place = contact_dofs.FindSorted(dof);
@@ -344,10 +265,10 @@ void FilteredAmg::HoldContact(HypreParMatrix &in_contact)
                   "a held dof is not one that contact touches");
       if (place >= 0)
       {
-         held_in_contact.Append(place);
+         places.Append(place);
       }
    }
-   in_contact.EliminateBC(held_in_contact, DIAG_ONE);
+   return places;
 }
 
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
@@ -358,16 +279,13 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
       return;
    }
    x.GetSubVector(contact_dofs, small_residual);
-   small_residual.SetSubVector(held_in_contact, 0.0);
-   contact_solver->Mult(small_residual, first);
+   in_contact.Mult(small_residual, first);
 
    residual = x;
    contact_columns->Mult(-1.0, first, 1.0, residual);
-   if (penalties)
-   {
-      penalties->Mult(-1.0, first, 0.0, small_residual);
-      residual.AddElementVector(contact_dofs, small_residual);
-   }
+   small_residual = 0.0;
+   in_contact.AddPenalties(-1.0, first, small_residual);
+   residual.AddElementVector(contact_dofs, small_residual);
    residual.SetSubVector(held, 0.0);
    amg->Mult(residual, y);
    y.SetSubVector(held, 0.0);
@@ -376,12 +294,8 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
    // now is due to the V-cycle.
    y.GetSubVector(contact_dofs, small_correction);
    contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
-   if (penalties)
-   {
-      penalties->Mult(-1.0, small_correction, 1.0, small_residual);
-   }
-   small_residual.SetSubVector(held_in_contact, 0.0);
-   contact_solver->Mult(small_residual, small_correction);
+   in_contact.AddPenalties(-1.0, small_correction, small_residual);
+   in_contact.Mult(small_residual, small_correction);
    small_correction += first;
    y.AddElementVector(contact_dofs, small_correction);
    CopyEntries(held, x, y);

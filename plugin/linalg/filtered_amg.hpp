@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/linalg/direct_solver.hpp"
+#include "synovia/linalg/penalized_solver.hpp"
 
 #include <memory>
 #include <optional>
@@ -42,11 +42,11 @@ public:
    /// nothing, and for @a overlap layers of dofs around these and those of the
    /// rows that have a weight, with a direct solver that has @a options, for
    /// matrices of this @a kind where no R is another than F. Only where there
-   /// are exact dofs are factors in single precision, if @a options say so, and
-   /// R more than F. Collective.
+   /// are exact dofs is R more than F. A factorization serves for changed
+   /// weights until they have made @a most_columns. Collective.
    FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed,
                const mfem::Array<int> &exact, int overlap, MatrixKind kind,
-               const DirectOptions &options);
+               const DirectOptions &options, int most_columns);
 
    /// Takes @a amg, with its options but without an operator, and builds its
    /// hierarchy on @a alike, which has unit rows and columns for the prescribed
@@ -68,16 +68,15 @@ public:
    /// factors, that are treated as if they were prescribed, although they are
    /// free in the hierarchy. SetWeights() must follow.
    void SetHeld(const mfem::Array<int> &dofs) { held = dofs; }
-   /// Sets the weights, not negative, of each factor, and factorizes; true if
-   /// there was anything to factorize. @a in_hierarchy are the weights with
-   /// which factors are part of the hierarchy's matrix, empty if they are not:
-   /// the exact solves correct it there. Throws FactorizationError. Collective.
-   bool SetWeights(const std::vector<mfem::Vector> &weights,
-                   const std::vector<mfem::Vector> &in_hierarchy);
-   /// Gives up factors of single precision for good, as SetWeights() does where
-   /// they can't be made; false if they are of double precision. If true,
-   /// SetWeights() must follow.
-   bool RefineFactors();
+   /// Sets the weights, not negative, of each factor, and counts factorizations
+   /// and columns. @a in_hierarchy are the weights with which factors are part
+   /// of the hierarchy's matrix, empty if they are not: the exact solves
+   /// correct it there. Throws FactorizationError. Collective.
+   void SetWeights(const std::vector<mfem::Vector> &weights,
+                   const std::vector<mfem::Vector> &in_hierarchy,
+                   WorkCounts &work);
+   /// As PenalizedSolver::Improve().
+   bool Improve() { return in_contact.Improve(); }
 
    /// 1 for the dofs, @a size on this rank, in which an F has entries, 0
    /// elsewhere. Collective.
@@ -99,17 +98,14 @@ private:
    /// The columns of A that @a injection, dofs x some of them, picks.
    std::unique_ptr<mfem::HypreParMatrix>
    Columns(const mfem::HypreParMatrix &injection) const;
-   void HoldContact(mfem::HypreParMatrix &in_contact);
-   void Factorize(const mfem::HypreParMatrix &in_contact);
-   bool IsSymmetric() const;
+   /// Of the held dofs, their places among the contact dofs.
+   mfem::Array<int> HeldInContact() const;
 
    Matrices terms;
    mfem::Array<int> prescribed;
    mfem::Array<int> exact;
    bool has_exact;
    int overlap;
-   MatrixKind kind;
-   DirectOptions options;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
@@ -118,19 +114,12 @@ private:
    /// a change of factors or hierarchy.
    std::optional<mfem::Array<int>> selected;
    mfem::Array<int> contact_dofs;
-   /// Of the held dofs, their places among the contact dofs.
-   mfem::Array<int> held_in_contact;
    bool has_contact = false;
    /// A's columns of the contact dofs, without prescribed rows: the contact's
    /// rows as well, as A is symmetric, or nearly so.
    std::unique_ptr<mfem::HypreParMatrix> contact_columns;
-   /// All on the contact dofs alone: A, F and R, which is null where it is F,
-   /// and sum F^T W R, null where there are no factors.
-   std::unique_ptr<mfem::HypreParMatrix> matrix_in_contact;
-   std::vector<std::unique_ptr<mfem::HypreParMatrix>> forces_in_contact;
-   std::vector<std::unique_ptr<mfem::HypreParMatrix>> changes_in_contact;
-   std::unique_ptr<mfem::HypreParMatrix> penalties;
-   std::unique_ptr<mfem::Solver> contact_solver;
+   /// For all on the contact dofs alone.
+   PenalizedSolver in_contact;
    mutable mfem::Vector residual;
    mutable mfem::Vector first;
    mutable mfem::Vector small_residual;

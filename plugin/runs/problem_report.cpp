@@ -70,21 +70,20 @@ void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
    entries = SumOverRanks(entries, mesh.GetComm());
    const real_t unknowns = static_cast<real_t>(displacements + pressures);
    const FactorizationTuning &tuning = setup.solver.tuning.factorization;
+   const real_t smoothed = setup.solver.tuning.multigrid.smooth_anisotropy;
+   const Vector anisotropy = FindAnisotropy(spaces, problem.Get().Materials());
+   const real_t anisotropic =
+      SumOverRanks(static_cast<real_t>(std::count_if(
+                      anisotropy.begin(), anisotropy.end(),
+                      [smoothed](real_t here) { return here > smoothed; })),
+                   mesh.GetComm());
+   const bool linear_fibers =
+      anisotropic > 0.0 &&
+      problem.Get().GetDeformation() == Deformation::infinitesimal;
    const bool direct =
-      ChooseMethod(setup.solver.linear, displacements + pressures) ==
-      LinearMethod::direct;
-   real_t factorized = unknowns;
-   if (!direct)
-   {
-      const Vector anisotropy =
-         FindAnisotropy(spaces, problem.Get().Materials());
-      const real_t most = setup.solver.tuning.multigrid.smooth_anisotropy;
-      factorized =
-         SumOverRanks(static_cast<real_t>(std::count_if(
-                         anisotropy.begin(), anisotropy.end(),
-                         [most](real_t here) { return here > most; })),
-                      mesh.GetComm());
-   }
+      ChooseMethod(setup.solver.linear, displacements + pressures,
+                   linear_fibers) == LinearMethod::direct;
+   const real_t factorized = direct ? unknowns : anisotropic;
    // Factors of three-dimensional meshes grow like n^(4/3).
    const real_t factors = 25.0 * std::pow(factorized, 4.0 / 3.0);
    // Kept factors collect dense columns where contact changes.

@@ -93,14 +93,17 @@ TEST_CASE("Displacements know the anisotropy of the elements around them")
    CHECK(SumOverRanks(upper, mesh.GetComm()) == 81);
 }
 
-TEST_CASE("The method follows from the size")
+TEST_CASE("The method follows from the size and from fibers")
 {
    LinearOptions options;
    options.direct_below = 1000;
-   CHECK(ChooseMethod(options, 1000) == LinearMethod::direct);
-   CHECK(ChooseMethod(options, 1001) == LinearMethod::block_amg);
+   options.direct_below_with_fibers = 500;
+   CHECK(ChooseMethod(options, 1000, false) == LinearMethod::direct);
+   CHECK(ChooseMethod(options, 1001, false) == LinearMethod::block_amg);
+   CHECK(ChooseMethod(options, 500, true) == LinearMethod::direct);
+   CHECK(ChooseMethod(options, 501, true) == LinearMethod::block_amg);
    options.method = LinearMethod::direct;
-   CHECK(ChooseMethod(options, 1001) == LinearMethod::direct);
+   CHECK(ChooseMethod(options, 1001, true) == LinearMethod::direct);
    options.method = LinearMethod::block_amg;
-   CHECK(ChooseMethod(options, 1) == LinearMethod::block_amg);
+   CHECK(ChooseMethod(options, 1, false) == LinearMethod::block_amg);
 }
