@@ -16,7 +16,6 @@ a bound is exceeded, which is said.
 from __future__ import annotations
 
 import argparse
-import os
 import pathlib
 import sys
 
@@ -32,6 +31,7 @@ import audit_runs  # noqa: E402
 from audit_bounds import Bound, bounds_of  # noqa: E402
 from audit_model import exponent  # noqa: E402
 from audit_runs import PHASES, Audit, AuditRunner  # noqa: E402
+from benchmark_options import add_runner_options  # noqa: E402
 from benchmark_runs import BenchmarkError, Run  # noqa: E402
 
 
@@ -161,17 +161,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--memory-speedup", type=float, default=1.0,
                         metavar="FACTOR", help="memory bandwidth of a rank on "
                         "the modeled machine over that of one here")
-    parser.add_argument("--launcher", metavar="COMMAND",
-                        default=os.environ.get("MPIEXEC", "mpirun") + " -n",
-                        help="what comes before the number of ranks")
-    parser.add_argument("--program", type=pathlib.Path, default=SCRIPTS.parent
-                        / "build/miniapps/scaling",
-                        help="the miniapp (default: %(default)s)")
-    parser.add_argument("-o", "--output", type=pathlib.Path, metavar="OUT",
-                        default=pathlib.Path("out/benchmark"),
-                        help="default: %(default)s")
-    parser.add_argument("--timeout", type=float, default=3600.0,
-                        metavar="SECONDS", help="for one run (%(default)g)")
+    add_runner_options(parser)
     args = parser.parse_args(argv)
     if args.most_ranks < 4 or args.each < 2 or args.whole < 2:
         parser.error("--most-ranks is at least 4, cells are at least 2")

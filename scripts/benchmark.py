@@ -32,6 +32,7 @@ import benchmark_plots as plots  # noqa: E402
 import benchmark_sweeps as sweeps  # noqa: E402
 import figure_style as style  # noqa: E402
 import machine  # noqa: E402
+from benchmark_options import add_runner_options  # noqa: E402
 from benchmark_runs import (  # noqa: E402
     BenchmarkError, Row, Runner, Store, write_table)
 from benchmark_sweeps import Sweep  # noqa: E402
@@ -174,19 +175,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
                         metavar="LIST", help="for the scaling (default: 1,2)")
     parser.add_argument("--sweep", action="append", choices=TITLES,
                         help="only this one; may be repeated")
-    parser.add_argument("--launcher", metavar="COMMAND",
-                        default=os.environ.get("MPIEXEC", "mpirun") + " -n",
-                        help="what comes before the number of ranks "
-                        "(default: $MPIEXEC -n, or mpirun -n)")
-    parser.add_argument("--program", type=pathlib.Path, default=SCRIPTS.parent
-                        / "build/miniapps/scaling",
-                        help="the miniapp (default: %(default)s)")
-    parser.add_argument("-o", "--output", type=pathlib.Path, metavar="OUT",
-                        default=pathlib.Path("out/benchmark"),
-                        help="directory for tables, plots and page "
-                        "(default: %(default)s)")
-    parser.add_argument("--timeout", type=float, default=1800.0,
-                        metavar="SECONDS", help="for one run (%(default)g)")
+    add_runner_options(parser, timeout=1800.0)
     parser.add_argument("--retry", action="store_true",
                         help="make runs that failed again")
     return parser.parse_args(argv)

@@ -169,14 +169,15 @@ extern "C"
 
    int MPI_Pcontrol(const int level, ...)
    {
-      if (level > 0)
+      // Of phases alone, not of the work in them.
+      if (level == 1)
       {
          va_list arguments;
          va_start(arguments, level);
          TheCounter().Enter(va_arg(arguments, const char *));
          va_end(arguments);
       }
-      else
+      else if (level == -1)
       {
          TheCounter().Leave();
       }

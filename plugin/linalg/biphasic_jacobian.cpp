@@ -1,4 +1,6 @@
 #include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/general/profiled_work.hpp"
+#include "synovia/linalg/bytes_read.hpp"
 
 #include <algorithm>
 
@@ -145,8 +147,16 @@ void BiphasicJacobian::AddMassOfDisplacement(const Vector &x, Vector &y) const
    AddContactMass(dt, &x, nullptr, y);
 }
 
+double BiphasicJacobian::BytesOfBodies() const
+{
+   return BytesOf(matrices.stiffness.get()) +
+          BytesOf(matrices.divergence.get()) +
+          BytesOf(matrices.divergence_transpose.get()) + BytesOf(flow.get());
+}
+
 void BiphasicJacobian::Mult(const Vector &x, Vector &y) const
 {
+   const ProfiledWork work("jacobian", BytesOfBodies());
    x.Read();
    const Vector x_u(const_cast<Vector &>(x), offsets[0],
                     offsets[1] - offsets[0]);

@@ -101,6 +101,8 @@ public:
    DisplacementBlock(const std::vector<mfem::Vector> &weights) const;
 
 private:
+   /// Of the matrices that a product reads, contact's apart.
+   double BytesOfBodies() const;
    using Matrix = mfem::HypreParMatrix;
 
    /// sum F, or null where no pair has it.

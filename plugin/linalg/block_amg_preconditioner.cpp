@@ -1,4 +1,5 @@
 #include "synovia/linalg/block_amg_preconditioner.hpp"
+#include "synovia/general/profiled_work.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/vector_entries.hpp"
 
@@ -377,14 +378,20 @@ void BlockAmgPreconditioner::Mult(const Vector &x, Vector &y) const
    Vector y_u(y, 0, nu);
    Vector y_p(y, nu, np);
 
-   displacement->Mult(x_u, y_u);
+   {
+      const ProfiledWork work_u("displacement", 0.0);
+      displacement->Mult(x_u, y_u);
+   }
    u_free = y_u;
    u_free.SetSubVector(jacobian.DisplacementDofs(), 0.0);
    residual = x_p;
    jacobian.AddMassOfDisplacement(u_free, residual);
    residual.Neg();
    CopyEntries(jacobian.PressureDofs(), x_p, residual);
-   pressure->Mult(residual, y_p);
+   {
+      const ProfiledWork work_p("pressure", 0.0);
+      pressure->Mult(residual, y_p);
+   }
    y_u.SyncAliasMemory(y);
    y_p.SyncAliasMemory(y);
 }

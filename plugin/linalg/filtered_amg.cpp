@@ -1,7 +1,9 @@
 #include "synovia/linalg/filtered_amg.hpp"
+#include "synovia/general/profiled_work.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
+#include "synovia/linalg/bytes_read.hpp"
 #include "synovia/linalg/injection.hpp"
 
 namespace synovia
@@ -73,6 +75,19 @@ FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
      overlap(overlap_), in_contact(kind_, options_, most_columns),
      residual(height)
 {
+   Array<int> marker(height);
+   marker = 1;
+   Unmark(prescribed, marker);
+   Unmark(exact, marker);
+   Array<int> dofs;
+   for (int i = 0; i < height; i++)
+   {
+      if (marker[i])
+      {
+         dofs.Append(i);
+      }
+   }
+   smoothed = Injection(*terms[0], dofs);
 }
 
 void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
@@ -96,6 +111,7 @@ void FilteredAmg::SetHierarchy(std::unique_ptr<HypreParMatrix> alike_,
    residual = 0.0;
    Vector nothing(height);
    amg->Mult(residual, nothing);
+   bytes_of_cycle = BytesOfCycle(*amg);
 }
 
 void FilteredAmg::ClearHierarchy()
@@ -205,14 +221,14 @@ void FilteredAmg::Restrict()
    first.SetSize(contact_dofs.Size());
    const std::unique_ptr<HypreParMatrix> injection =
       Injection(*terms[0], contact_dofs);
-   contact_columns = Columns(*injection);
+   const std::unique_ptr<HypreParMatrix> columns = Columns(*injection);
    const std::unique_ptr<HypreParMatrix> restriction(injection->Transpose());
    std::unique_ptr<HypreParMatrix> matrix(
-      ParMult(restriction.get(), contact_columns.get(), true));
-   Vector counts(height);
-   counts = 1.0;
-   counts.SetSubVector(prescribed, 0.0);
-   contact_columns->ScaleRows(counts);
+      ParMult(restriction.get(), columns.get(), true));
+   const std::unique_ptr<HypreParMatrix> picks(smoothed->Transpose());
+   const std::unique_ptr<HypreParMatrix> picked(
+      ParMult(picks.get(), columns.get(), true));
+   smoothed_columns.reset(ParMult(smoothed.get(), picked.get(), true));
    // Between bodies that only multigrid solves for, R beside a hierarchy that
    // doesn't know it takes up to twice as many iterations as F for it.
    std::vector<PenalizedSolver::Factor> small_factors;
@@ -271,30 +287,46 @@ Array<int> FilteredAmg::HeldInContact() const
    return places;
 }
 
+void FilteredAmg::Cycle(const Vector &x, Vector &y) const
+{
+   const ProfiledWork work("cycle", bytes_of_cycle);
+   amg->Mult(x, y);
+}
+
+void FilteredAmg::RemoveContact(const Vector &x) const
+{
+   const ProfiledWork work("residual", BytesOf(smoothed_columns.get()));
+   residual = x;
+   smoothed_columns->Mult(-1.0, first, 1.0, residual);
+   small_residual = 0.0;
+   in_contact.AddPenalties(-1.0, first, small_residual);
+   residual.AddElementVector(contact_dofs, small_residual);
+   residual.SetSubVector(exact, 0.0);
+   residual.SetSubVector(held, 0.0);
+}
+
+void FilteredAmg::RestrictResidual(const Vector &y) const
+{
+   const ProfiledWork work("residual", BytesOf(smoothed_columns.get()));
+   y.GetSubVector(contact_dofs, small_correction);
+   smoothed_columns->MultTranspose(-1.0, y, 0.0, small_residual);
+   in_contact.AddPenalties(-1.0, small_correction, small_residual);
+}
+
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
 {
    if (!has_contact)
    {
-      amg->Mult(x, y);
+      Cycle(x, y);
       return;
    }
    x.GetSubVector(contact_dofs, small_residual);
    in_contact.Mult(small_residual, first);
-
-   residual = x;
-   contact_columns->Mult(-1.0, first, 1.0, residual);
-   small_residual = 0.0;
-   in_contact.AddPenalties(-1.0, first, small_residual);
-   residual.AddElementVector(contact_dofs, small_residual);
-   residual.SetSubVector(held, 0.0);
-   amg->Mult(residual, y);
+   RemoveContact(x);
+   Cycle(residual, y);
    y.SetSubVector(held, 0.0);
 
-   // The first solve left no residual at the contact's dofs: what they have
-   // now is due to the V-cycle.
-   y.GetSubVector(contact_dofs, small_correction);
-   contact_columns->MultTranspose(-1.0, y, 0.0, small_residual);
-   in_contact.AddPenalties(-1.0, small_correction, small_residual);
+   RestrictResidual(y);
    in_contact.Mult(small_residual, small_correction);
    small_correction += first;
    y.AddElementVector(contact_dofs, small_correction);

@@ -100,6 +100,15 @@ private:
    Columns(const mfem::HypreParMatrix &injection) const;
    /// Of the held dofs, their places among the contact dofs.
    mfem::Array<int> HeldInContact() const;
+   /// A V-cycle.
+   void Cycle(const mfem::Vector &x, mfem::Vector &y) const;
+   /// Sets the residual that the first exact solve leaves of @a x. At exact
+   /// dofs it is none; elsewhere in contact factors that are symmetric, or of
+   /// an older tangent, leave some.
+   void RemoveContact(const mfem::Vector &x) const;
+   /// Sets the small residual that a V-cycle's @a y makes there, and its part
+   /// there as the small correction.
+   void RestrictResidual(const mfem::Vector &y) const;
 
    Matrices terms;
    mfem::Array<int> prescribed;
@@ -109,15 +118,18 @@ private:
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
+   double bytes_of_cycle = 0.0;
    Factors factors;
    /// 1 for the dofs to solve for exactly, but for their neighbors; unset after
    /// a change of factors or hierarchy.
    std::optional<mfem::Array<int>> selected;
    mfem::Array<int> contact_dofs;
    bool has_contact = false;
-   /// A's columns of the contact dofs, without prescribed rows: the contact's
-   /// rows as well, as A is symmetric, or nearly so.
-   std::unique_ptr<mfem::HypreParMatrix> contact_columns;
+   /// Picks what the V-cycle moves: neither prescribed nor exact dofs.
+   std::unique_ptr<mfem::HypreParMatrix> smoothed;
+   /// A's columns of the contact dofs, in rows that the V-cycle moves: the
+   /// contact's rows as well, as A is symmetric, or nearly so.
+   std::unique_ptr<mfem::HypreParMatrix> smoothed_columns;
    /// For all on the contact dofs alone.
    PenalizedSolver in_contact;
    mutable mfem::Vector residual;

@@ -29,6 +29,7 @@ constexpr int right_side_input = 20;
 constexpr int solution_output = 21;
 constexpr int memory_per_rank = 23;
 constexpr int solution_size = 23;
+constexpr int factor_entries = 9;
 constexpr int low_rank_blocks = 35;
 constexpr int low_rank_accuracy = 7;
 constexpr int status = 1;
@@ -155,6 +156,16 @@ template <typename Number>
 MUMPS_INT MumpsInstance<Number>::SolutionSize() const
 {
    return data.info[solution_size - 1];
+}
+
+template <typename Number>
+double MumpsInstance<Number>::BytesOfSolve() const
+{
+   // More than a billion entries are counted in millions, below zero.
+   const double number = data.info[factor_entries - 1];
+   const double entries = number < 0.0 ? -1e6 * number : number;
+   // Symmetric factors are read forward and backward, L and U once each.
+   return sizeof(Number) * entries * (data.sym == unsymmetric ? 1.0 : 2.0);
 }
 
 template <typename Number>

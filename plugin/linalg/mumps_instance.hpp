@@ -87,6 +87,8 @@ public:
    MUMPS_INT &WorkspaceMargin();
    /// Entries of a solution on this rank, once there are factors.
    MUMPS_INT SolutionSize() const;
+   /// Bytes of this rank's factors that a solve reads, once there are any.
+   double BytesOfSolve() const;
 
    typename MumpsData<Number>::Type data{};
 

@@ -2,6 +2,7 @@
 
 #ifdef MFEM_USE_MUMPS
 
+#include "synovia/general/profiled_work.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/linalg/local_rows.hpp"
 #include "synovia/linalg/mumps_instance.hpp"
@@ -169,6 +170,7 @@ void MumpsSolver<Number>::ArrayMult(const Array<const Vector *> &x,
                                     Array<Vector *> &y) const
 {
    MFEM_VERIFY(instance, "there is no factorization");
+   const ProfiledWork work("solve", instance->BytesOfSolve());
    const int count = x.Size();
    std::vector<Number> right_sides;
    right_sides.reserve(std::size_t(count) * height);
