@@ -15,7 +15,6 @@ only. Meshes are made by meshes/, so that this Python needs gmsh and scipy.
 from __future__ import annotations
 
 import argparse
-import os
 import pathlib
 import sys
 
@@ -25,6 +24,7 @@ sys.path.insert(0, str(SCRIPTS / "lib"))
 import machine  # noqa: E402
 import readme_tables  # noqa: E402
 from benchmark_cases import CaseRunner  # noqa: E402
+from benchmark_options import add_launcher  # noqa: E402
 from benchmark_runs import BenchmarkError, Runner  # noqa: E402
 from benchmark_tables import TABLES, Benchmark  # noqa: E402
 
@@ -52,10 +52,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--coarsen", type=factor, default=1.0,
                         metavar="FACTOR", help="elements so much larger: to "
                         "see whether everything runs")
-    parser.add_argument("--launcher", metavar="COMMAND",
-                        default=os.environ.get("MPIEXEC", "mpirun") + " -n",
-                        help="what comes before the number of ranks "
-                        "(default: $MPIEXEC -n, or mpirun -n)")
+    add_launcher(parser)
     parser.add_argument("--programs", type=pathlib.Path, metavar="DIRECTORY",
                         default=SCRIPTS.parent / "build/miniapps",
                         help="where they are (default: %(default)s)")

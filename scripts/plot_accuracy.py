@@ -48,6 +48,7 @@ import numpy as np  # noqa: E402
 from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 import figure_style as style  # noqa: E402
+from benchmark_options import add_launcher  # noqa: E402
 from figure_style import plt  # noqa: E402
 from synovia_output import OutputError, Table, reference  # noqa: E402
 
@@ -176,10 +177,7 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
                         "time on waiting")
     parser.add_argument("--step", type=float, default=50.0,
                         help="of SDIRK33 (s, default: %(default)s)")
-    parser.add_argument("--launcher", metavar="COMMAND",
-                        default=os.environ.get("MPIEXEC", "mpirun") + " -n",
-                        help="what comes before the number of ranks "
-                        "(default: $MPIEXEC -n, or mpirun -n)")
+    add_launcher(parser)
     parser.add_argument("--program", type=pathlib.Path,
                         default=ROOT / "build/miniapps/indentation",
                         help="default: build/miniapps/indentation")

@@ -108,16 +108,10 @@ def table_of(works: dict[str, Work]) -> str:
 
 
 def run_layers(args: argparse.Namespace) -> dict[str, Work]:
-    clock = args.program.resolve().parent / "libsynovia_work_clock.so"
-    if not clock.exists():
-        raise BenchmarkError(f"there is no library '{clock}'; build the target "
-                             "synovia_work_clock")
     runner = Runner(args.program, args.launcher, args.timeout, args.output)
     with tempfile.TemporaryDirectory(dir=args.output) as name:
         prefix = pathlib.Path(name) / "times"
-        # Through env, so that a launcher of any kind hands them on.
-        runner.prefix = ["env", f"LD_PRELOAD={clock}",
-                         f"SYNOVIA_WORK_TIMES={prefix}"]
+        runner.load("work_clock", "SYNOVIA_WORK_TIMES", prefix)
         row = runner(Run(args.ranks, size=args.size, order=1, steps=1,
                          solver="block_amg"))
         if row["status"] != "ok":

@@ -1,5 +1,5 @@
 #include "synovia/linalg/direct_preconditioner.hpp"
-#include "synovia/general/exchange.hpp"
+#include "synovia/general/gather_on_all.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/linalg/direct_solver.hpp"
 
@@ -114,14 +114,7 @@ DirectPreconditioner::FindChanges() const
    add_missing(jacobian.PressureDofs(), OnHost(p_dofs), -1.0);
    add_missing(p_dofs, jacobian.PressureDofs(), 1.0);
 
-   int ranks = 1;
-   MPI_Comm_size(comm, &ranks);
-   std::vector<Change> all;
-   for (const auto &part :
-        Exchange(std::vector<std::vector<Change>>(ranks, mine), comm))
-   {
-      all.insert(all.end(), part.begin(), part.end());
-   }
+   std::vector<Change> all = GatherOnAll(mine, comm);
    std::sort(all.begin(), all.end(),
              [](const Change &a, const Change &b) { return a.key < b.key; });
    return all;
@@ -299,20 +292,14 @@ void DirectPreconditioner::AddColumns(const std::vector<Key> &keys)
    for (size_t begin = 0; begin < keys.size(); begin += batch)
    {
       const size_t end = std::min(begin + batch, keys.size());
-      std::vector<Vector> wanted;
-      Array<const Vector *> right_sides;
-      Array<Vector *> solutions;
-      wanted.reserve(end - begin);
+      std::vector<Column *> made;
       for (size_t i = begin; i < end; i++)
       {
          Column &column = columns[keys[i]];
          column = ColumnOf(keys[i]);
-         column.z.SetSize(height);
-         wanted.push_back(column.left.Dense(height));
-         right_sides.Append(&wanted.back());
-         solutions.Append(&column.z);
+         made.push_back(&column);
       }
-      factors->ArrayMult(right_sides, solutions);
+      LowRankUpdate::SolveFor(made, *factors);
    }
    extra_solves += tuning.column_cost * keys.size();
    work.columns += static_cast<int>(keys.size());

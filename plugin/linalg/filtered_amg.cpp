@@ -80,13 +80,7 @@ FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
    Unmark(prescribed, marker);
    Unmark(exact, marker);
    Array<int> dofs;
-   for (int i = 0; i < height; i++)
-   {
-      if (marker[i])
-      {
-         dofs.Append(i);
-      }
-   }
+   FiniteElementSpace::MarkerToList(marker, dofs);
    smoothed = Injection(*terms[0], dofs);
 }
 
@@ -203,14 +197,7 @@ void FilteredAmg::Restrict()
       MarkNeighbors(terms, marker);
       Unmark(prescribed, marker);
    }
-   contact_dofs.SetSize(0);
-   for (int i = 0; i < height; i++)
-   {
-      if (marker[i])
-      {
-         contact_dofs.Append(i);
-      }
-   }
+   FiniteElementSpace::MarkerToList(marker, contact_dofs);
    has_contact = AnyRank(contact_dofs.Size() > 0, terms[0]->GetComm());
    if (!has_contact)
    {

@@ -35,6 +35,23 @@ Vector SparsePart::Dense(int size) const
    return x;
 }
 
+void LowRankUpdate::SolveFor(const std::vector<Column *> &columns,
+                             const Solver &inverse)
+{
+   std::vector<Vector> wanted;
+   Array<const Vector *> right_sides;
+   Array<Vector *> solutions;
+   wanted.reserve(columns.size());
+   for (Column *column : columns)
+   {
+      column->z.SetSize(inverse.Height());
+      wanted.push_back(column->left.Dense(inverse.Height()));
+      right_sides.Append(&wanted.back());
+      solutions.Append(&column->z);
+   }
+   inverse.ArrayMult(right_sides, solutions);
+}
+
 void LowRankUpdate::Set(std::vector<const Column *> columns_, const Vector &k)
 {
    columns = std::move(columns_);

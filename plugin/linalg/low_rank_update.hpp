@@ -35,6 +35,10 @@ public:
       mfem::Vector z;
    };
 
+   /// Sets z of columns, all at once, with @a inverse for A^-1. Collective.
+   static void SolveFor(const std::vector<Column *> &columns,
+                        const mfem::Solver &inverse);
+
    explicit LowRankUpdate(MPI_Comm comm_) : comm(comm_) {}
 
    /// Sets the columns, borrowed, and the diagonal of K, without zeros; none

@@ -1,5 +1,5 @@
 #include "synovia/linalg/penalized_solver.hpp"
-#include "synovia/general/exchange.hpp"
+#include "synovia/general/gather_on_all.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/linalg/biphasic_jacobian.hpp"
 #include "synovia/linalg/injection.hpp"
@@ -149,7 +149,9 @@ bool PenalizedSolver::Follow(WorkCounts &work)
    {
       return false;
    }
-   const std::vector<Change> changes = GatherSorted(mine);
+   std::vector<Change> changes = GatherOnAll(mine, comm);
+   std::sort(changes.begin(), changes.end(),
+             [](const Change &a, const Change &b) { return a.key < b.key; });
    std::vector<Key> missing;
    for (const Change &change : changes)
    {
@@ -161,6 +163,11 @@ bool PenalizedSolver::Follow(WorkCounts &work)
    if (columns.size() + missing.size() > static_cast<size_t>(most_columns))
    {
       return false;
+   }
+   update.reset();
+   if (changes.empty())
+   {
+      return true;
    }
    AddColumns(missing);
    work.columns += static_cast<int>(missing.size());
@@ -174,22 +181,6 @@ bool PenalizedSolver::Follow(WorkCounts &work)
    update = std::make_unique<LowRankUpdate>(comm);
    update->Set(used, k);
    return true;
-}
-
-std::vector<PenalizedSolver::Change>
-PenalizedSolver::GatherSorted(const std::vector<Change> &mine) const
-{
-   int ranks = 1;
-   MPI_Comm_size(matrix->GetComm(), &ranks);
-   std::vector<Change> all;
-   for (const auto &part : Exchange(
-           std::vector<std::vector<Change>>(ranks, mine), matrix->GetComm()))
-   {
-      all.insert(all.end(), part.begin(), part.end());
-   }
-   std::sort(all.begin(), all.end(),
-             [](const Change &a, const Change &b) { return a.key < b.key; });
-   return all;
 }
 
 void PenalizedSolver::AddColumns(const std::vector<Key> &keys)
@@ -211,19 +202,12 @@ void PenalizedSolver::AddColumns(const std::vector<Key> &keys)
       PickRows(factor.Changes(), of_factor, &Column::right);
       begin = end;
    }
-   std::vector<Vector> wanted;
-   Array<const Vector *> right_sides;
-   Array<Vector *> solutions;
-   wanted.reserve(keys.size());
+   std::vector<Column *> made;
    for (const Key &key : keys)
    {
-      Column &column = columns[key];
-      column.z.SetSize(height);
-      wanted.push_back(column.left.Dense(height));
-      right_sides.Append(&wanted.back());
-      solutions.Append(&column.z);
+      made.push_back(&columns[key]);
    }
-   factorization->ArrayMult(right_sides, solutions);
+   LowRankUpdate::SolveFor(made, *factorization);
 }
 
 void PenalizedSolver::PickRows(const HypreParMatrix &factor,

@@ -74,8 +74,6 @@ private:
    bool RefineFactors();
    /// This rank's rows whose weights aren't the factorized ones.
    std::vector<Change> FindChanges() const;
-   /// Those of all ranks, ascending.
-   std::vector<Change> GatherSorted(const std::vector<Change> &mine) const;
    /// Updates the factors; false if that would take too many columns.
    bool Follow(WorkCounts &work);
    /// Makes the columns of @a keys, ascending. Collective.

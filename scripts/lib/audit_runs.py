@@ -74,20 +74,12 @@ class AuditRunner:
                  directory: pathlib.Path):
         self.runner = Runner(program, launcher, timeout, directory)
         self.directory = directory
-        self.counter = program.resolve().parent / \
-            "libsynovia_message_counter.so"
-        if not self.counter.exists():
-            raise BenchmarkError(f"there is no library '{self.counter}'; build "
-                                 "the target synovia_message_counter")
 
     def __call__(self, run: Run) -> Audit:
         with tempfile.TemporaryDirectory(dir=self.directory) as name:
             held = pathlib.Path(name) / "held"
             sent = pathlib.Path(name) / "sent"
-            # Through env, so that a launcher of any kind hands them on.
-            self.runner.prefix = [
-                "env", f"LD_PRELOAD={self.counter}",
-                f"SYNOVIA_MESSAGE_COUNTS={sent}"]
+            self.runner.load("message_counter", "SYNOVIA_MESSAGE_COUNTS", sent)
             row = self.runner(run, "--rank-records", str(held))
             if row["status"] != "ok":
                 raise BenchmarkError(f"{run.ranks} ranks: {row['status']}")

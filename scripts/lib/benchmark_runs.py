@@ -84,6 +84,17 @@ class Runner:
         # Words before the program's name, such as env with variables.
         self.prefix: list[str] = []
 
+    def load(self, observer: str, variable: str, prefix: pathlib.Path) -> None:
+        """Loads a library of the miniapps in front of MPI from now on, which
+        writes PREFIX.RANK.csv if the variable has the prefix.
+        """
+        library = self.program.parent / f"libsynovia_{observer}.so"
+        if not library.exists():
+            raise BenchmarkError(f"there is no library '{library}'; build the "
+                                 f"target synovia_{observer}")
+        # Through env, so that a launcher of any kind hands them on.
+        self.prefix = ["env", f"LD_PRELOAD={library}", f"{variable}={prefix}"]
+
     def __call__(self, run: Run, *more: str) -> Row:
         """The row that the program writes, with a status: "ok" or what failed.
         More options of the program may follow those of the run.

@@ -21,7 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish)
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, run_observed)
 
 sys.path.insert(0, str(SOURCE / "scripts/lib"))
 
@@ -82,14 +82,8 @@ def rows_of(file: pathlib.Path) -> list[dict[str, str]]:
 
 
 def check_counter(work: pathlib.Path) -> None:
-    source = work / "sender.cpp"
-    source.write_text(SENDER, encoding="utf-8")
-    subprocess.run(["mpicxx", source, "-o", work / "sender"], check=True)
-    counter = PROGRAMS / "libsynovia_message_counter.so"
-    subprocess.run(
-        [MPIEXEC, "-n", "2", "env", f"LD_PRELOAD={counter}",
-         f"SYNOVIA_MESSAGE_COUNTS={work / 'counts'}", work / "sender"],
-        check=True)
+    run_observed(SENDER, "message_counter", "SYNOVIA_MESSAGE_COUNTS",
+                 work / "counts")
     counts = [{row.pop("phase"): {name: int(value)
                                   for name, value in row.items()}
                for row in rows_of(work / f"counts.{rank}.csv")}

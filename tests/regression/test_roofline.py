@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
 from program_checks import (  # noqa: E402
-    MPIEXEC, PROGRAMS, SOURCE, check, finish)
+    MPIEXEC, PROGRAMS, SOURCE, check, finish, run_observed)
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 
@@ -56,13 +56,7 @@ int main(int argc, char *argv[])
 
 
 def check_clock(work: pathlib.Path) -> None:
-    source = work / "worker.cpp"
-    source.write_text(WORKER, encoding="utf-8")
-    subprocess.run(["mpicxx", source, "-o", work / "worker"], check=True)
-    clock = PROGRAMS / "libsynovia_work_clock.so"
-    subprocess.run(
-        [MPIEXEC, "-n", "2", "env", f"LD_PRELOAD={clock}",
-         f"SYNOVIA_WORK_TIMES={work / 'times'}", work / "worker"], check=True)
+    run_observed(WORKER, "work_clock", "SYNOVIA_WORK_TIMES", work / "times")
     with open(work / "times.1.csv", newline="", encoding="utf-8") as stream:
         rows = {(row["phase"], row["work"]): row
                 for row in csv.DictReader(stream)}

@@ -45,6 +45,20 @@ def run_program(*command: str | pathlib.Path, text: str | None = None) -> str:
     return result.stdout
 
 
+def run_observed(source: str, observer: str, variable: str,
+                 prefix: pathlib.Path) -> None:
+    """Runs a C++ program on two ranks with a library of the miniapps in front
+    of MPI, which writes PREFIX.RANK.csv.
+    """
+    program = prefix.with_name(prefix.name + "_program")
+    file = program.with_suffix(".cpp")
+    file.write_text(source, encoding="utf-8")
+    run_program("mpicxx", file, "-o", program)
+    library = PROGRAMS / f"libsynovia_{observer}.so"
+    run_program(MPIEXEC, "-n", "2", "env", f"LD_PRELOAD={library}",
+                f"{variable}={prefix}", program)
+
+
 def make_mesh(script: str, file: pathlib.Path, *arguments: str) -> None:
     """The mesh that a script of meshes/ makes."""
     run_program(sys.executable, SOURCE / "meshes" / script, *arguments,

@@ -186,6 +186,9 @@ TEST_CASE("A solver that is no good gives up its columns, and then no more")
 {
    Penalized system(true);
    CHECK_FALSE(system.solver.Improve());
+   // As it was factorized.
+   system.Toggle(0, 0);
+   CHECK_FALSE(system.solver.Improve());
    system.Toggle(0, 1);
    REQUIRE(system.work.columns == Penalized::Ranks());
    REQUIRE(system.solver.Improve());
