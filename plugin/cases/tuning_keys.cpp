@@ -52,6 +52,9 @@ KeyTable ContactKeys(ContactTuning &contact)
        "part of the gap that is added to it");
    Add(keys, "drift_of_area", contact.drift_of_area, NumberRange::AtLeast(0.0),
        "the same for the area around a vertex, as a part of it");
+   Add(keys, "kept_slide", contact.kept_slide, NumberRange::AtLeast(0.0),
+       "in finite deformation, parts of a face that pairs slide before a step "
+       "looks for partners anew");
    return keys;
 }
 

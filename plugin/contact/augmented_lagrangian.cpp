@@ -394,6 +394,7 @@ void AugmentedLagrangian::Accept()
    {
       friction->Accept(state);
    }
+   constraint.Accept();
    accepted = state;
 }
 

@@ -29,8 +29,11 @@ public:
    /// undeformed configuration then.
    virtual void SearchAt(const mfem::Vector &u) = 0;
    /// Takes what is kept within a time step from the displacement @a u at its
-   /// start. A Search() must follow.
-   virtual void StartStep(const mfem::Vector & /*u*/) {}
+   /// start; @a failed says whether the last solve failed. A Search() must
+   /// follow.
+   virtual void StartStep(const mfem::Vector & /*u*/, bool /*failed*/) {}
+   /// Whether Search() takes what former steps have found, wherever u is.
+   virtual bool KeepsFound() const { return false; }
    /// Prepares for a stage that is expected to end near @a u; says whether
    /// coverage and factors are others than before. The first call searches the
    /// reference before, unless any search was; it throws Error if nothing is
@@ -57,6 +60,8 @@ public:
    /// Whether another search where the surfaces were evaluated last would find
    /// other gaps, by more than a part of their tolerance, or other areas.
    virtual bool HasDrifted() { return false; }
+   /// The state after the last Evaluate() is that of the end of a step.
+   virtual void Accept() {}
 
    /// At the last search. Areas are those that tractions and fluxes refer to,
    /// but for what is covered of a face, which is its present area.

@@ -26,8 +26,12 @@ std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
 {
    if (deformation == Deformation::finite)
    {
+      // Forces of friction follow areas that lag behind by as much.
+      ContactTuning of_pair(tuning);
+      of_pair.kept_slide =
+         options.friction.coefficient > 0.0 ? 0.0 : tuning.kept_slide;
       return std::make_unique<FiniteConstraint>(
-         geometry, options.initial_overlap, gap_tolerance, tuning);
+         geometry, options.initial_overlap, gap_tolerance, of_pair);
    }
    return std::make_unique<InfinitesimalConstraint>(
       geometry, options.configuration, options.initial_overlap);

@@ -46,7 +46,11 @@ public:
    /// As ContactConstraint has them. Collective.
    void SearchReference() { constraint->SearchReference(); }
    void SearchAt(const mfem::Vector &u) { constraint->SearchAt(u); }
-   void StartStep(const mfem::Vector &u) { constraint->StartStep(u); }
+   void StartStep(const mfem::Vector &u, bool failed)
+   {
+      constraint->StartStep(u, failed);
+   }
+   bool KeepsFound() const { return constraint->KeepsFound(); }
    bool Search(const mfem::Vector &u);
    bool HasDrifted() { return constraint->HasDrifted(); }
    /// Brings the derivatives among Factors() to the last tractions and fluxes,

@@ -66,7 +66,7 @@ std::unique_ptr<FiniteGap> FiniteConstraint::MakeGap() const
 std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
 {
    std::unique_ptr<FiniteGap> found = MakeGap();
-   found->Search(kept);
+   found->Search(present.bearing);
    geometry.LeaveOutSlivers(found->Operators());
    return found;
 }
@@ -81,7 +81,17 @@ std::unique_ptr<FiniteGap> FiniteConstraint::FindGap(const Vector &u)
 
 bool FiniteConstraint::HasDrifted()
 {
-   if (!gaps->HasDrifted())
+   if (keeps)
+   {
+      // Half of that may have been there when the step began.
+      slides = gaps->Pairing().Slid() >= 2.0 * tuning.kept_slide;
+      keeps = !slides;
+   }
+   if (keeps)
+   {
+      return false;
+   }
+   if (!gaps->Pairing().HasDrifted())
    {
       return false;
    }
@@ -119,20 +129,53 @@ bool FiniteConstraint::Differs(const FiniteGap &other) const
    return false;
 }
 
-void FiniteConstraint::StartStep(const Vector &u)
+void FiniteConstraint::StartStep(const Vector &u, bool failed)
 {
-   if (AreSame(u, step_start))
-   {
-      return;
-   }
    SearchReference();
-   step_start = u;
-   kept = KeptBearing();
-   kept = FindGap(u)->FindBearing(tuning.bearing_angle);
+   present = accepted;
+   slides = false;
+   keeps = !failed && KeepFound(u);
+   if (!keeps)
+   {
+      FindBearing(u);
+   }
+}
+
+bool FiniteConstraint::KeepFound(const Vector &u)
+{
+   if (present.points_at.Size() == 0 || tuning.kept_slide <= 0.0)
+   {
+      return false;
+   }
+   // What may have been found here is of another bearing.
+   searched_anew.reset();
+   SearchAt(present.points_at);
+   Follow(u);
+   return gaps->Pairing().Slid() < tuning.kept_slide;
+}
+
+void FiniteConstraint::FindBearing(const Vector &u)
+{
+   present.bearing = KeptBearing();
+   present.bearing = FindGap(u)->FindBearing(tuning.bearing_angle);
+   present.bearing_at = u;
+}
+
+void FiniteConstraint::Accept()
+{
+   accepted = present;
+   if (slides)
+   {
+      accepted.points_at.SetSize(0);
+   }
 }
 
 bool FiniteConstraint::Search(const Vector &u)
 {
+   if (keeps)
+   {
+      return true;
+   }
    if (!reached)
    {
       SearchReference();
@@ -140,7 +183,17 @@ bool FiniteConstraint::Search(const Vector &u)
       reached = true;
    }
    SearchAt(u);
+   present.points_at = u;
    return true;
+}
+
+void FiniteConstraint::Follow(const Vector &u)
+{
+   geometry.SetDisplacement(u);
+   displacement = u;
+   searched_anew.reset();
+   gaps->Follow();
+   geometry.LeaveOutSlivers(gaps->Operators());
 }
 
 void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
@@ -148,11 +201,7 @@ void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
 {
    if (!AreSame(u, displacement))
    {
-      geometry.SetDisplacement(u);
-      displacement = u;
-      searched_anew.reset();
-      gaps->Follow();
-      geometry.LeaveOutSlivers(gaps->Operators());
+      Follow(u);
    }
    const GapOperators &operators = gaps->Operators();
    gap = gaps->Gap();
@@ -191,6 +240,24 @@ void FiniteConstraint::Archive(StateArchive &archive, const std::string &prefix)
    archive.Flag(prefix + "reached", reached);
    geometry.Destination().Archive(archive, prefix + "removed_overlap",
                                   removed_overlap);
+   bool found = tuning.kept_slide > 0.0 && accepted.points_at.Size() > 0;
+   archive.Flag(prefix + "found", found);
+   if (!found)
+   {
+      return;
+   }
+   ParFiniteElementSpace &space =
+      geometry.Destination().Spaces().Displacement();
+   accepted.points_at.SetSize(space.GetTrueVSize());
+   accepted.bearing_at.SetSize(space.GetTrueVSize());
+   archive.Field(prefix + "points_at", space, accepted.points_at);
+   archive.Field(prefix + "bearing_at", space, accepted.bearing_at);
+   if (archive.Reads())
+   {
+      FindBearing(accepted.bearing_at);
+      present.points_at = accepted.points_at;
+      accepted = present;
+   }
 }
 
 } // namespace synovia

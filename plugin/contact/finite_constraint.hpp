@@ -9,10 +9,13 @@ namespace synovia
 {
 
 /// Gap and jump in finite deformation: surfaces look for each other anew in
-/// each stage, points follow the displacement in between, and Linearize() gives
-/// complete derivatives; see FiniteGap. Where points have gone to other faces,
-/// HasDrifted() searches, and the next SearchAt() takes what it found.
-/// Tractions and fluxes are per reference area of the destination.
+/// each stage, unless they have hardly slid since they did, points follow the
+/// displacement in between, and Linearize() gives complete derivatives; see
+/// FiniteGap. Where points have gone to other faces, HasDrifted() searches, and
+/// the next SearchAt() takes what it found. Tractions and fluxes are per
+/// reference area of the destination.
+///
+/// Large because it has all that ContactConstraint asks for.
 class FiniteConstraint : public ContactConstraint
 {
 public:
@@ -22,7 +25,8 @@ public:
 
    void SearchReference() override;
    void SearchAt(const mfem::Vector &u) override;
-   void StartStep(const mfem::Vector &u) override;
+   void StartStep(const mfem::Vector &u, bool failed) override;
+   bool KeepsFound() const override { return keeps; }
    bool Search(const mfem::Vector &u) override;
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p,
                  mfem::Vector &gap, mfem::Vector &jump,
@@ -30,6 +34,7 @@ public:
    bool Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
                   const mfem::Vector &nodal_flow) override;
    bool HasDrifted() override;
+   void Accept() override;
    const ContactCoverage &Coverage() const override
    {
       return gaps->Operators();
@@ -53,8 +58,24 @@ public:
    void Archive(StateArchive &archive, const std::string &prefix) override;
 
 private:
+   /// What searches have found: the displacements at which the pairs' points
+   /// were made, and what faces bear was found; empty before.
+   struct Found
+   {
+      mfem::Vector points_at;
+      mfem::Vector bearing_at;
+      KeptBearing bearing;
+   };
+
    /// Of displacements, on all ranks.
    bool AreSame(const mfem::Vector &u, const mfem::Vector &v) const;
+   /// Takes up the points and the bearing of former steps, at displacement
+   /// @a u; says whether these serve there.
+   bool KeepFound(const mfem::Vector &u);
+   /// Finds anew what faces bear.
+   void FindBearing(const mfem::Vector &u);
+   /// Lets the gaps' points follow the surfaces to displacement @a u.
+   void Follow(const mfem::Vector &u);
    /// Not searched yet.
    std::unique_ptr<FiniteGap> MakeGap() const;
    std::unique_ptr<FiniteGap> SearchAnew() const;
@@ -69,9 +90,13 @@ private:
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;
    bool reached = false;
-   /// Where the step began, and what is kept in it.
-   mfem::Vector step_start;
-   KeptBearing kept;
+   /// At the end of the last step that was accepted, and now.
+   Found accepted;
+   Found present;
+   /// Whether this step has the points of a former one, or had until surfaces
+   /// had slid too far: then the next one has not.
+   bool keeps = false;
+   bool slides = false;
    mfem::Vector displacement;
    /// Whether gaps has derivatives, of where the surfaces are or were.
    bool linearized = false;

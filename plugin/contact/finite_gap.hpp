@@ -65,8 +65,8 @@ public:
    FindSlidingChanges(const mfem::Vector &p,
                       const VectorByComponent &nodal_force) const;
 
-   /// Whether points have gone to other faces since the last Search().
-   bool HasDrifted() const { return pairing.HasDrifted(); }
+   /// The points of the last Search(), and how far they have gone since.
+   const SurfacePairing &Pairing() const { return pairing; }
 
    /// gap and jump of these are the maps G and J of nodal forces and flows;
    /// gap_offset is not used. Areas are undeformed ones, except face_coverage,

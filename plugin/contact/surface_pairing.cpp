@@ -103,6 +103,8 @@ void SurfacePairing::Segment(const FaceShares &shares_)
          point.name = {hit.rank, hit.face};
          point.hit.Set2(hit.xi, hit.eta);
          point.gap = hit.distance;
+         point.first_name = point.name;
+         point.first_hit = point.hit;
          points[kept++] = point;
       }
    }
@@ -117,6 +119,7 @@ void SurfacePairing::AskForFaces(const SurfaceSearch &search)
    for (const PairedPoint &point : points)
    {
       numbers[point.name] = 0;
+      numbers[point.first_name] = 0;
    }
    names.clear();
    for (auto &[name, number] : numbers)
@@ -298,6 +301,30 @@ void SurfacePairing::FindOtherFaces(const std::vector<int> &leaving)
 bool SurfacePairing::HasDrifted() const
 {
    return AnyRank(drifted, source.Spaces().GetComm());
+}
+
+real_t SurfacePairing::Slid() const
+{
+   // Of the size of a face: round surfaces that touch at a point.
+   constexpr real_t nearly = 0.05;
+   real_t farthest = -1.0;
+   for (const PairedPoint &point : points)
+   {
+      if (point.gap > nearly * point.size)
+      {
+         continue;
+      }
+      const auto first =
+         std::lower_bound(names.begin(), names.end(), point.first_name);
+      const Point3 from = halo[static_cast<int>(first - names.begin())]
+                             .shape(point.first_hit.x, point.first_hit.y)
+                             .position;
+      const Point3 to =
+         halo[point.source].shape(point.hit.x, point.hit.y).position;
+      farthest = std::max(farthest, Length(Sum(to, -1.0, from)) / point.size);
+   }
+   farthest = MaxOverRanks(farthest, source.Spaces().GetComm());
+   return farthest < 0.0 ? infinity() : farthest;
 }
 
 } // namespace synovia

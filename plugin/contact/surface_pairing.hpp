@@ -36,6 +36,9 @@ struct PairedPoint
    FaceName name{-1, -1};
    int source = -1;
    mfem::IntegrationPoint hit;
+   /// The same of the segment that the point was made for.
+   FaceName first_name{-1, -1};
+   mfem::IntegrationPoint first_hit;
    /// Signed distance along the normal: negative where the surfaces overlap.
    mfem::real_t gap = 0.0;
 
@@ -67,6 +70,10 @@ public:
    /// none, so that segments don't follow the source's faces any more.
    /// Collective.
    bool HasDrifted() const;
+   /// How far points that touch the source, or nearly so, have slid on it at
+   /// most since they were made, as a part of its faces' size; infinite where
+   /// there are none. Collective.
+   mfem::real_t Slid() const;
 
    const ContactSurface &Source() const { return source; }
    const ContactSurface &Destination() const { return destination; }

@@ -252,12 +252,13 @@ WorkCounts BiphasicOperator::Work() const
 
 void BiphasicOperator::BeginStep(const Vector &x)
 {
+   const bool failed = !record.report.converged;
    record.report = SolveReport();
    const PhaseTimer timer(record.times.search, "search");
    const Vector u(const_cast<Vector &>(x), 0, spaces.Offsets()[1]);
    for (ContactPair *pair : pairs)
    {
-      pair->StartStep(u);
+      pair->StartStep(u, failed);
    }
 }
 

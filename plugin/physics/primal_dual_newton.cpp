@@ -40,7 +40,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       const bool converged = settled && balance <= 1.0;
       const bool searched =
          settled && (converged || search.IsNear(balance)) && search.Allows() &&
-         contact.SearchDrifted(stage, ContactStiffness::bodies);
+         contact.SearchDrifted(stage, ContactStiffness::bodies, true);
       if (converged && !searched)
       {
          contact.SetTractions(ContactStiffness::none);
@@ -100,7 +100,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       if (set_changed && search.AllowsEarly())
       {
          // Points that have drifted would change a settled set once more.
-         contact.SearchDrifted(stage, ContactStiffness::bodies);
+         contact.SearchDrifted(stage, ContactStiffness::bodies, false);
       }
    }
    return contact.FailIterations(options.max_newton);

@@ -105,12 +105,15 @@ void StageContact::Search(const ImplicitStage &stage)
 }
 
 bool StageContact::SearchDrifted(ImplicitStage &stage,
-                                 ContactStiffness stiffness)
+                                 ContactStiffness stiffness, bool settled)
 {
    bool drifted = false;
    for (ContactPair *pair : pairs)
    {
-      drifted = pair->HasDrifted() || drifted;
+      // Where points were made may not depend on iterates that are far from a
+      // solution.
+      const bool looks = settled || !pair->KeepsFound();
+      drifted = (looks && pair->HasDrifted()) || drifted;
    }
    if (drifted)
    {

@@ -49,7 +49,8 @@ public:
    bool Update(ImplicitStage &stage, ContactStiffness stiffness);
    /// Lets pairs search anew whose points have gone to other partners, and
    /// updates them; says whether any did.
-   bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness);
+   bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness,
+                      bool settled);
    /// Whether vertices of a pair began or ceased to slide at its last update.
    bool SlidingChanged() const;
    /// Whether there is friction in any of the pairs.

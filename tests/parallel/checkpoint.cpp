@@ -311,6 +311,16 @@ TEST_CASE(
    setup.tuning.newton.final_accuracy = 1e-3;
    setup.gap_tolerance = 1e-9;
    setup.pressure_tolerance = 1e-9;
+   // Nor where points are when they are made anew.
+   setup.tuning.contact.drift_of_tolerance = 0.0;
+   setup.tuning.contact.drift_of_gap = 0.0;
+   setup.tuning.contact.drift_of_area = 0.0;
+   SECTION("with partners that each step looks for") {}
+   SECTION("with those of former steps until it slides")
+   {
+      setup.tuning.contact.kept_slide = 0.02;
+      setup.tuning.newton.max_early_searches = 0;
+   }
    const TemporaryDirectory directory;
    const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
    Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-10);

@@ -200,7 +200,7 @@ TEST_CASE("Derivatives of gap, jump, forces and flows agree with differences")
    bodies.Search(bodies.Displacement(0.02, 0.0));
    const Vector u = bodies.Displacement(0.03, 0.15);
    bodies.Follow(u);
-   CHECK(bodies.gap.HasDrifted());
+   CHECK(bodies.gap.Pairing().HasDrifted());
    const Vector nodal_force = bodies.RandomForces(3);
    const Vector nodal_flow = bodies.RandomForces(4);
    const Vector p = bodies.Random(bodies.spaces.Pressure().GetTrueVSize(), 5);

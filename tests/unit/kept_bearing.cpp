@@ -1,7 +1,8 @@
 // ranks: 1 2 3
 //
 // What faces bear, and which vertices are at the rim, is kept from where a step
-// began, whatever searches follow.
+// began, whatever searches follow; points know how far they have slid since
+// they were made.
 
 #include "support/boxes.hpp"
 #include "support/stack_displacement.hpp"
@@ -40,7 +41,7 @@ public:
    {
    }
 
-   void Move(real_t slide, real_t slope)
+   void Move(real_t slide, real_t slope, real_t height = 0.01)
    {
       const Vector u = StackDisplacement(
          spaces,
@@ -53,7 +54,7 @@ public:
          {
             lift = 0.0;
             lift[0] = slide;
-            lift[2] = 0.01;
+            lift[2] = height;
          });
       source.SetDisplacement(u);
       destination.SetDisplacement(u);
@@ -64,6 +65,18 @@ public:
       Move(slide, slope);
       gap.Search();
       return gap.FindBearing(0.1);
+   }
+
+   /// How far the points of a search have slid when the upper body lies
+   /// elsewhere then.
+   real_t Slid(real_t from, real_t to, real_t height = 0.01)
+   {
+      Move(from, 0.0);
+      gap.Search();
+      CHECK(gap.Pairing().Slid() == 0.0);
+      Move(to, 0.0, height);
+      gap.Follow();
+      return gap.Pairing().Slid();
    }
 
    /// What the vertices at @a x (undeformed) have of the multipliers' area, in
@@ -153,4 +166,18 @@ TEST_CASE("Faces bear within a step what they bore at its start")
          Approx(0.5 * both_sides).epsilon(1e-10));
    CHECK(bodies.AreaAt(fold, 0.0, 0.5, flat) ==
          Approx(both_sides).epsilon(1e-10));
+}
+
+TEST_CASE("Points know how far they have slid since they were made")
+{
+   // The longer edges of a face, across x.
+   const real_t size = 1.0;
+   const auto part = [=](real_t slide)
+   { return Approx(slide / size).epsilon(1e-10); };
+   SlidingBodies bodies;
+   CHECK(bodies.Slid(0.0, 0.05) == part(0.05));
+   CHECK(bodies.Slid(0.3, 0.1) == part(0.2));
+   CHECK(bodies.Slid(0.0, 0.3) == part(0.3));
+   const real_t away = 2.0 * size;
+   CHECK(bodies.Slid(0.0, 0.05, away) == infinity());
 }
