@@ -48,7 +48,8 @@ public:
    /// trial tractions of @a stiffness; says whether anything changed.
    bool Update(ImplicitStage &stage, ContactStiffness stiffness);
    /// Lets pairs search anew whose points have gone to other partners, and
-   /// updates them; says whether any did.
+   /// updates them; says whether any did. Pairs that keep what former steps
+   /// have found look only where the active set has @a settled.
    bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness,
                       bool settled);
    /// Whether vertices of a pair began or ceased to slide at its last update.
