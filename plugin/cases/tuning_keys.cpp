@@ -53,8 +53,8 @@ KeyTable ContactKeys(ContactTuning &contact)
    Add(keys, "drift_of_area", contact.drift_of_area, NumberRange::AtLeast(0.0),
        "the same for the area around a vertex, as a part of it");
    Add(keys, "kept_slide", contact.kept_slide, NumberRange::AtLeast(0.0),
-       "in finite deformation, parts of a face that pairs slide before a step "
-       "looks for partners anew");
+       "in finite deformation, parts of a face that pairs without friction "
+       "slide before they look for partners anew");
    return keys;
 }
 

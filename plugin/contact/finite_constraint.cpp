@@ -66,7 +66,7 @@ std::unique_ptr<FiniteGap> FiniteConstraint::MakeGap() const
 std::unique_ptr<FiniteGap> FiniteConstraint::SearchAnew() const
 {
    std::unique_ptr<FiniteGap> found = MakeGap();
-   found->Search(present.bearing);
+   found->Search(bearing);
    geometry.LeaveOutSlivers(found->Operators());
    return found;
 }
@@ -81,12 +81,7 @@ std::unique_ptr<FiniteGap> FiniteConstraint::FindGap(const Vector &u)
 
 bool FiniteConstraint::HasDrifted()
 {
-   if (keeps)
-   {
-      // Half of that may have been there when the step began.
-      slides = gaps->Pairing().Slid() >= 2.0 * tuning.kept_slide;
-      keeps = !slides;
-   }
+   keeps = keeps && gaps->Pairing().Slid() < tuning.kept_slide;
    if (keeps)
    {
       return false;
@@ -132,41 +127,63 @@ bool FiniteConstraint::Differs(const FiniteGap &other) const
 void FiniteConstraint::StartStep(const Vector &u, bool failed)
 {
    SearchReference();
-   present = accepted;
-   slides = false;
-   keeps = !failed && KeepFound(u);
-   if (!keeps)
+   at_start.reset();
+   keeps = tuning.kept_slide > 0.0 && !failed && kept_at.Size() > 0;
+   if (keeps)
    {
-      FindBearing(u);
+      TakeKept(u);
+   }
+   else
+   {
+      std::unique_ptr<FiniteGap> searched = FindBearing(u);
+      if (tuning.kept_slide > 0.0)
+      {
+         at_start = std::move(searched);
+      }
    }
 }
 
-bool FiniteConstraint::KeepFound(const Vector &u)
+void FiniteConstraint::TakeKept(const Vector &u)
 {
-   if (present.points_at.Size() == 0 || tuning.kept_slide <= 0.0)
+   // What is left of it is for the step that begins.
+   constexpr real_t most = 0.5;
+   FindKept(kept_at, u);
+   if (gaps->Pairing().Slid() >= most * tuning.kept_slide)
    {
-      return false;
+      kept_at = u;
+      FindKept(kept_at, u);
    }
-   // What may have been found here is of another bearing.
-   searched_anew.reset();
-   SearchAt(present.points_at);
+}
+
+void FiniteConstraint::FindKept(const Vector &at, const Vector &u)
+{
+   FindBearing(at);
+   SearchAt(at);
    Follow(u);
-   return gaps->Pairing().Slid() < tuning.kept_slide;
 }
 
-void FiniteConstraint::FindBearing(const Vector &u)
+std::unique_ptr<FiniteGap> FiniteConstraint::FindBearing(const Vector &u)
 {
-   present.bearing = KeptBearing();
-   present.bearing = FindGap(u)->FindBearing(tuning.bearing_angle);
-   present.bearing_at = u;
+   bearing = KeptBearing();
+   std::unique_ptr<FiniteGap> searched = FindGap(u);
+   bearing = searched->FindBearing(tuning.bearing_angle);
+   return searched;
 }
 
 void FiniteConstraint::Accept()
 {
-   accepted = present;
-   if (slides)
+   if (keeps)
    {
-      accepted.points_at.SetSize(0);
+      return;
+   }
+   kept_at.SetSize(0);
+   if (at_start)
+   {
+      at_start->Follow();
+      if (at_start->Pairing().Slid() < tuning.kept_slide)
+      {
+         kept_at = displacement;
+      }
    }
 }
 
@@ -183,7 +200,6 @@ bool FiniteConstraint::Search(const Vector &u)
       reached = true;
    }
    SearchAt(u);
-   present.points_at = u;
    return true;
 }
 
@@ -240,24 +256,17 @@ void FiniteConstraint::Archive(StateArchive &archive, const std::string &prefix)
    archive.Flag(prefix + "reached", reached);
    geometry.Destination().Archive(archive, prefix + "removed_overlap",
                                   removed_overlap);
-   bool found = tuning.kept_slide > 0.0 && accepted.points_at.Size() > 0;
-   archive.Flag(prefix + "found", found);
-   if (!found)
+   bool has_kept = kept_at.Size() > 0;
+   archive.Flag(prefix + "keeps", has_kept);
+   if (!has_kept)
    {
+      kept_at.SetSize(0);
       return;
    }
    ParFiniteElementSpace &space =
       geometry.Destination().Spaces().Displacement();
-   accepted.points_at.SetSize(space.GetTrueVSize());
-   accepted.bearing_at.SetSize(space.GetTrueVSize());
-   archive.Field(prefix + "points_at", space, accepted.points_at);
-   archive.Field(prefix + "bearing_at", space, accepted.bearing_at);
-   if (archive.Reads())
-   {
-      FindBearing(accepted.bearing_at);
-      present.points_at = accepted.points_at;
-      accepted = present;
-   }
+   kept_at.SetSize(space.GetTrueVSize());
+   archive.Field(prefix + "kept_at", space, kept_at);
 }
 
 } // namespace synovia

@@ -58,22 +58,15 @@ public:
    void Archive(StateArchive &archive, const std::string &prefix) override;
 
 private:
-   /// What searches have found: the displacements at which the pairs' points
-   /// were made, and what faces bear was found; empty before.
-   struct Found
-   {
-      mfem::Vector points_at;
-      mfem::Vector bearing_at;
-      KeptBearing bearing;
-   };
-
    /// Of displacements, on all ranks.
    bool AreSame(const mfem::Vector &u, const mfem::Vector &v) const;
-   /// Takes up the points and the bearing of former steps, at displacement
-   /// @a u; says whether these serve there.
-   bool KeepFound(const mfem::Vector &u);
-   /// Finds anew what faces bear.
-   void FindBearing(const mfem::Vector &u);
+   /// Makes points and bearing where former steps had them, or at @a u if
+   /// surfaces have slid too far since.
+   void TakeKept(const mfem::Vector &u);
+   /// Points and bearing at displacement @a at, which follow to @a u.
+   void FindKept(const mfem::Vector &at, const mfem::Vector &u);
+   /// Finds anew what faces bear; returns what was searched for that.
+   std::unique_ptr<FiniteGap> FindBearing(const mfem::Vector &u);
    /// Lets the gaps' points follow the surfaces to displacement @a u.
    void Follow(const mfem::Vector &u);
    /// Not searched yet.
@@ -90,13 +83,14 @@ private:
    /// Searched where the surfaces are; null if none was since they moved.
    std::unique_ptr<FiniteGap> searched_anew;
    bool reached = false;
-   /// At the end of the last step that was accepted, and now.
-   Found accepted;
-   Found present;
-   /// Whether this step has the points of a former one, or had until surfaces
-   /// had slid too far: then the next one has not.
+   KeptBearing bearing;
+   /// Displacement at which the next step makes its points and finds what faces
+   /// bear; empty if it looks for partners at its first guess.
+   mfem::Vector kept_at;
+   /// Whether this step has such points.
    bool keeps = false;
-   bool slides = false;
+   /// Of a step that has not: made where it began, for how far it slides.
+   std::unique_ptr<FiniteGap> at_start;
    mfem::Vector displacement;
    /// Whether gaps has derivatives, of where the surfaces are or were.
    bool linearized = false;

@@ -56,11 +56,10 @@ struct ContactTuning
    mfem::real_t drift_of_tolerance = 0.1;
    mfem::real_t drift_of_gap = 0.01;
    mfem::real_t drift_of_area = 1e-4;
-   /// In finite deformation, pairs that have slid by less than this part of a
-   /// face since they looked for each other begin a time step with what they
-   /// found then, unless they rub. Larger: fewer searches and sets that
-   /// change, but areas of contact lag behind the motion by as much. 0: each
-   /// step looks anew.
+   /// In finite deformation, pairs that slide by less than this part of a face
+   /// in a time step look for each other no more, unless they rub, until they
+   /// have slid by as much. Larger: fewer sets that change, but areas of
+   /// contact lag behind the motion by up to that. 0: each step looks anew.
    mfem::real_t kept_slide = 0.0;
 };
 

@@ -60,7 +60,7 @@ TouchingBlocks::TouchingBlocks(const TouchingBlocksOptions &options)
    contact.friction = options.friction;
    pair = std::make_unique<ContactPair>(
       "pair", spaces, materials, mesh.Boundary("upper_z0"),
-      mesh.Boundary("lower_z1"), contact, options.deformation);
+      mesh.Boundary("lower_z1"), contact, options.deformation, options.tuning);
 }
 
 Vector TouchingBlocks::Displacement(real_t slide)

@@ -16,6 +16,7 @@ struct TouchingBlocksOptions
    /// With curved elements and a curved interface.
    bool curved = false;
    FrictionOptions friction;
+   ContactTuning tuning;
 };
 
 /// Two blocks of meshes that do not match, the upper one tilted onto the lower
