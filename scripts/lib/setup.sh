@@ -21,6 +21,19 @@ setup_all()
    exec 9>&-
 }
 
+# How CMake calls ccache: paths relative to the sources, so that another clone
+# finds what this one compiled, and with precompiled headers.
+ccache_launcher()
+{
+   local setting launcher=env
+   for setting in "BASEDIR=$SYNOVIA_SOURCE_DIR" NOHASHDIR=1 \
+      SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+   do
+      launcher+=";CCACHE_$setting"
+   done
+   echo "$launcher;ccache"
+}
+
 # build DIRECTORY TARGET [CMAKE_ARGUMENT...]: nobody else builds there, or runs
 # tests, until the calling script ends.
 build()
@@ -32,10 +45,13 @@ build()
    # A build directory keeps the generator it was made with.
    [[ -f $directory/CMakeCache.txt ]] || arguments+=(-G Ninja)
    [[ -z $MFEM_DIR ]] || arguments+=("-DMFEM_DIR=$MFEM_DIR")
-   ! have ccache || arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+   ! have ccache ||
+      arguments+=("-DCMAKE_CXX_COMPILER_LAUNCHER=$(ccache_launcher)")
    cmake -S "$SYNOVIA_SOURCE_DIR" -B "$directory" "${arguments[@]}" ||
       die "cannot configure $directory (see above)" \
          "If it was made with other tools, remove it and try again."
+   # ccache and clang compare the times of what a precompiled header includes.
+   find "$directory" -name cmake_pch.hxx -exec touch -d 2000-01-01 {} +
    cmake --build "$directory" --target "$target" \
       --parallel "$(parallel_jobs)" ||
       die "the build in $directory failed (see above)"
