@@ -69,7 +69,7 @@ std::vector<CaseChange> FindChanges(const CaseFile &before,
 bool MayChange(const CaseChange &change)
 {
    static const std::regex step_times(
-      R"(step\.[0-9]+\.(step|adaptive|min_step|max_step))");
+      R"(step\.[0-9]+\.(step|growth|adaptive|min_step|max_step))");
    return IsBelow(change.path, "title") || IsBelow(change.path, "time") ||
           std::regex_match(change.path, step_times) ||
           IsBelow(change.path, "mesh.generator") ||

@@ -268,6 +268,7 @@ struct StepCase
    mfem::real_t duration = 0.0;
    /// Time step settings; 0 or none: the case's.
    mfem::real_t step = 0.0;
+   mfem::real_t growth = 0.0;
    std::optional<bool> adaptive{};
    mfem::real_t min_step = 0.0;
    mfem::real_t max_step = 0.0;

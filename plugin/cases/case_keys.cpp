@@ -196,6 +196,9 @@ KeyTable TimeKeys(TimeOptions &time, bool has_steps)
       .Required()
       .Positive()
       .Named("the time step");
+   keys.Value("growth", time.growth, "",
+              "how much longer each step is than the one before it, 1 or more; "
+              "from step anew after each point of a load curve");
    keys.Word<TimeScheme>("scheme", time.scheme, TimeSchemeWords(),
                          "how time is discretized");
    keys.Value("adaptive", time.adaptive, "",
@@ -209,7 +212,8 @@ KeyTable TimeKeys(TimeOptions &time, bool has_steps)
    keys.Auto("min_step", time.min_step, quantities::time,
              "length below which no step is cut; step / 1000");
    keys.Auto("max_step", time.max_step, quantities::time,
-             "longest adaptive step; end / 10, or step if that is longer");
+             "longest step that is adaptive or has grown; end / 10, or step if "
+             "that is longer");
    keys.Value("stops", time.stops, quantities::time,
               "times at which a step shall end, besides the points of curves; "
               "they matter between 0 and the end");
@@ -227,6 +231,8 @@ KeyTable StepKeys(StepCase &step)
       .Named("the duration");
    keys.Auto("step", step.step, quantities::time,
              "length of its time steps; as time.step");
+   keys.Auto("growth", step.growth, "",
+             "how much longer each is than the one before it; as time.growth");
    keys.Value("adaptive", step.adaptive, "",
               "whether their length follows from the error; as time.adaptive "
               "if left out");
@@ -234,8 +240,8 @@ KeyTable StepKeys(StepCase &step)
              "length below which none is cut; as time.min_step, or a "
              "thousandth of its own step");
    keys.Auto("max_step", step.max_step, quantities::time,
-             "longest adaptive one; a tenth of the duration, or step if that "
-             "is longer");
+             "longest one that is adaptive or has grown; a tenth of the "
+             "duration, or step if that is longer");
    keys.Value(
       "release", step.release, "",
       "names of boundaries, ligaments, contact pairs and ties that end when it "

@@ -208,6 +208,14 @@ private:
          time.step = step.step;
          time.min_step = 0.0;
       }
+      if (step.growth != 0.0)
+      {
+         time.growth = step.growth;
+      }
+      else if (time.adaptive)
+      {
+         time.growth = 1.0;
+      }
       if (step.min_step > 0.0)
       {
          time.min_step = step.min_step;

@@ -67,6 +67,10 @@ void CheckStepLengths(real_t duration, const std::string &meaning,
                    "the " + meaning + " of " + ToText(duration) +
                       " would take " + ToText(steps) +
                       " time steps; that is too many");
+   reading.Require(time.growth >= 1.0, path + ".growth",
+                   "found " + ToText(time.growth) + "; it must be at least 1");
+   reading.Require(!(time.adaptive && time.growth > 1.0), path + ".growth",
+                   "adaptive steps have lengths of their own; leave this out");
    reading.Require(!(time.min_step > time.step), path + ".min_step",
                    "found " + ToText(time.min_step) +
                       "; it must not be above the time step, " +

@@ -49,6 +49,7 @@ TimeStepper &StepSequence::Stepper()
    if (!stepper)
    {
       TimeOptions options(Present().setup.time);
+      options.begin = Present().begin;
       options.end = Present().end;
       for (const LineCase &line : Present().setup.output.lines)
       {
@@ -86,7 +87,7 @@ int StepSequence::StepsLeft() const
    for (size_t i = present + 1; i < steps.size(); i++)
    {
       const real_t duration = steps[i].end - steps[i].begin;
-      left += static_cast<int>(std::ceil(duration / steps[i].setup.time.step));
+      left += CountSteps(steps[i].setup.time, duration);
    }
    return left;
 }

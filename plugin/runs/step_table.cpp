@@ -14,6 +14,11 @@ void WriteSteps(const CaseFile &setup, std::ostream &out)
       return;
    }
    out << "\nsteps\n";
+   const auto length = [](const TimeOptions &time)
+   {
+      return Quantity(time.step) + (time.adaptive ? ", adaptive" : "") +
+             (time.growth > 1.0 ? ", times " + Quantity(time.growth) : "");
+   };
    std::vector<std::vector<std::string>> rows{
       {"", "from", "to", "time step", "changes"}};
    const std::vector<CaseOfStep> steps = CasesOfSteps(setup);
@@ -21,8 +26,7 @@ void WriteSteps(const CaseFile &setup, std::ostream &out)
    {
       const TimeOptions &time = steps[i].setup.time;
       rows.push_back({steps[i].name, Quantity(steps[i].begin),
-                      Quantity(steps[i].end),
-                      Quantity(time.step) + (time.adaptive ? ", adaptive" : ""),
+                      Quantity(steps[i].end), length(time),
                       ChangesText(setup.steps[i])});
    }
    WriteTable(out, rows);

@@ -23,6 +23,16 @@ StepControl::StepControl(const StepLimits &limits_, const StepTuning &tuning_)
 {
 }
 
+void StepControl::Plan(real_t planned)
+{
+   if (limits.adaptive)
+   {
+      return;
+   }
+   length = IsCut() ? std::min(length, planned) : planned;
+   limits.first = planned;
+}
+
 bool StepControl::Fail(real_t dt)
 {
    failures++;
@@ -98,7 +108,7 @@ void StepControl::Grow(const StepAttempt &step)
 void StepControl::Archive(StateArchive &archive)
 {
    archive.Number("step.length", length);
-   bool cut = length < limits.first;
+   bool cut = IsCut();
    archive.Flag("step.cut", cut);
    if (!archive.Reads())
    {

@@ -12,7 +12,8 @@ struct StepLimits
    mfem::real_t first = 1.0;
    mfem::real_t shortest = 1e-3;
    mfem::real_t longest = 1.0;
-   /// Otherwise steps have the first length, but for those that fail.
+   /// Otherwise steps have the first length or the one planned, but for those
+   /// that fail.
    bool adaptive = false;
    /// Whether a step that fails is tried again with a shorter one.
    bool cut_back = true;
@@ -47,6 +48,12 @@ public:
    /// Longest length of the next attempt.
    mfem::real_t Length() const { return length; }
    const StepLimits &Limits() const { return limits; }
+
+   /// How long the next step shall be if it is not cut; adaptive ones don't
+   /// care.
+   void Plan(mfem::real_t planned);
+   /// Whether attempts are shorter than planned, as one has failed.
+   bool IsCut() const { return !limits.adaptive && length < limits.first; }
 
    /// An attempt of length @a dt did not converge. False if it must not be
    /// shorter.

@@ -55,7 +55,12 @@ TimeOptions Checked(const TimeOptions &given)
           "min_step", options.min_step,
           "positive and not above the time step, " + ToText(options.step) +
              ", or 0 (derived)");
-   if (options.adaptive && options.max_step != 0.0)
+   Verify(options.growth >= 1.0 && std::isfinite(options.growth), "growth",
+          options.growth, "at least 1");
+   Verify(!options.adaptive || options.growth == 1.0, "growth", options.growth,
+          "left out where steps are adaptive");
+   const bool same_lengths = !options.adaptive && options.growth == 1.0;
+   if (!same_lengths && options.max_step != 0.0)
    {
       Verify(options.max_step >= options.step &&
                 std::isfinite(options.max_step),
@@ -72,13 +77,14 @@ TimeOptions Checked(const TimeOptions &given)
    {
       options.min_step = 1e-3 * options.step;
    }
-   if (!options.adaptive)
+   if (same_lengths)
    {
       options.max_step = options.step;
    }
    else if (options.max_step == 0.0)
    {
-      options.max_step = std::max(options.step, 0.1 * options.end);
+      options.max_step =
+         std::max(options.step, 0.1 * (options.end - options.begin));
    }
    return options;
 }
@@ -104,6 +110,22 @@ StepLimits Limits(const TimeOptions &options)
    return limits;
 }
 } // namespace
+
+int CountSteps(const TimeOptions &options, real_t duration)
+{
+   if (options.growth == 1.0)
+   {
+      return static_cast<int>(
+         std::ceil(std::min(duration / options.step, most_steps)));
+   }
+   int count = 0;
+   for (real_t t = 0.0; t < duration * (1.0 - end_tolerance); count++)
+   {
+      t +=
+         std::min(options.max_step, options.step + (options.growth - 1.0) * t);
+   }
+   return count;
+}
 
 TimeStepper::TimeStepper(BiphasicProblem &problem, const TimeOptions &options_)
    : op(problem.Operator()), options(Checked(options_)), recorder(op),
@@ -182,6 +204,20 @@ const TimeStepper::Stop &TimeStepper::NextStop(real_t from) const
    return stops.back();
 }
 
+real_t TimeStepper::PlannedLength(real_t from) const
+{
+   real_t begin = options.begin;
+   for (const Stop &stop : stops)
+   {
+      if (stop.corner && stop.time <= from + same_time)
+      {
+         begin = std::max(begin, stop.time);
+      }
+   }
+   return std::min(options.max_step,
+                   options.step + (options.growth - 1.0) * (from - begin));
+}
+
 real_t TimeStepper::Target() const
 {
    const real_t stop = NextStop(time).time;
@@ -209,6 +245,15 @@ int TimeStepper::StepsLeft() const
    }
    int count = 0;
    real_t from = time;
+   if (options.growth > 1.0)
+   {
+      while (from < options.end - same_time)
+      {
+         from = std::min(NextStop(from).time, from + PlannedLength(from));
+         count++;
+      }
+      return count;
+   }
    for (const Stop &stop : stops)
    {
       if (stop.time > from + same_time)
@@ -298,8 +343,9 @@ StepReport TimeStepper::Step()
    const int solves_before = recorder.Solves();
    if (goal <= time + same_time)
    {
-      goal = time + options.step;
+      goal = time + PlannedLength(time);
    }
+   control.Plan(PlannedLength(time));
    bool again = true;
    while (again)
    {
@@ -406,6 +452,7 @@ void TimeStepper::Archive(StateArchive &archive)
    archive.Flag("step.smooth", smooth);
    archive.Number("step.last", last_dt);
    archive.Number("step.largest_norm", largest);
+   control.Plan(PlannedLength(time));
    control.Archive(archive);
    archive.Field("displacement", *displacement.ParFESpace(), state.GetBlock(0));
    archive.Field("pressure", *pressure.ParFESpace(), state.GetBlock(1));
@@ -413,9 +460,9 @@ void TimeStepper::Archive(StateArchive &archive)
    op.Archive(archive);
    if (archive.Reads())
    {
-      if (control.Length() >= options.step)
+      if (!control.IsCut())
       {
-         // Not cut back: the step may have another length than it had.
+         // The step may have another length than it had.
          goal = time;
       }
       UpdateFields();

@@ -16,8 +16,14 @@ namespace synovia
 struct TimeOptions
 {
    mfem::real_t end = 1.0;
-   /// Length of the steps; of the first one to be tried if they are adaptive.
+   /// Length of the steps; of the first one to be tried if they are adaptive,
+   /// of the first one and of those after corners of load curves if they grow.
    mfem::real_t step = 1.0;
+   /// How much longer each step is than the one before it, 1 or more; up to
+   /// max_step, and not for adaptive steps.
+   mfem::real_t growth = 1.0;
+   /// When the first of them begins.
+   mfem::real_t begin = 0.0;
    TimeScheme scheme = TimeScheme::backward_euler;
    /// Chooses the length of each step such that it makes an error of about
    /// error_tolerance.
@@ -31,12 +37,17 @@ struct TimeOptions
    /// A step of this length is not cut further: if its error is too large it is
    /// accepted, if it does not converge the run fails. Derived: step / 1000.
    mfem::real_t min_step = 0.0;
-   /// Longest adaptive step. Derived: end / 10, or step if that is longer.
+   /// Longest step that is adaptive or has grown. Derived: a tenth of the time
+   /// between begin and end, or step if that is longer.
    mfem::real_t max_step = 0.0;
    /// Times at which a step shall end, besides the corners of load curves;
    /// those outside (0, end) don't matter.
    std::vector<mfem::real_t> stops;
 };
+
+/// How many steps last @a duration, from where they begin, if none fails; of
+/// adaptive ones a guess. max_step must be given if they grow.
+int CountSteps(const TimeOptions &options, mfem::real_t duration);
 
 /// Result of one time step.
 struct StepReport
@@ -67,10 +78,10 @@ struct StepReport
 
 /// Marches a problem in time with MFEM's ODE solvers.
 ///
-/// Steps have the length asked for or one that adapts, and end on the corners
-/// of the load curves, on the stops, and at the end. A step that fails leaves
-/// everything as it was. After cut-backs, steps of fixed length get back to the
-/// times they would have had without.
+/// Steps have the length asked for, grow from it or have one that adapts, and
+/// end on the corners of the load curves, on the stops, and at the end. A step
+/// that fails leaves everything as it was. After cut-backs, steps that aren't
+/// adaptive get back to the times they would have had without.
 ///
 /// The error of an adaptive step is estimated from the rates of its stages,
 /// which needs no further solve. After a corner or a jump these are not smooth:
@@ -129,6 +140,9 @@ private:
 
    void SetStops(const std::vector<mfem::real_t> &corners);
    const Stop &NextStop(mfem::real_t from) const;
+   /// Length of a step from that time on, unless it is adaptive or cut. Steps
+   /// that grow by a factor are longer by a part of the time that has passed.
+   mfem::real_t PlannedLength(mfem::real_t from) const;
    mfem::real_t Target() const;
    bool Advance(mfem::real_t dt, Attempt &result);
    bool AdvanceInHalves(mfem::real_t dt, Attempt &result);
@@ -147,7 +161,7 @@ private:
    mfem::real_t same_time;
    std::vector<Stop> stops;
    mfem::real_t time = 0.0;
-   /// Where the present step ends if it is not cut: fixed steps only.
+   /// Where the present step ends if it is not cut; not of adaptive ones.
    mfem::real_t goal = 0.0;
    int steps = 0;
    /// As far as it was reported.

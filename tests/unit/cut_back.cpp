@@ -4,6 +4,7 @@
 // took the same steps at once.
 
 #include "support/pressed_box.hpp"
+#include "synovia/io/state_snapshot.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -272,6 +273,87 @@ TEST_CASE("A step that can't be made says why, and where it ended")
    }
 }
 
+TEST_CASE("Steps grow from each corner of a load to the longest, and get back "
+          "to their times where one failed")
+{
+   // The box is pressed up to 40, and lifted from then on.
+   Run run;
+   run.times = Steps(2.0);
+   run.times.growth = 2.0;
+   run.times.max_step = 10.0;
+   const std::vector<real_t> times = Times(Solve(run));
+   REQUIRE(times.size() >= 8);
+   const std::vector<real_t> first(times.begin(), times.begin() + 8);
+   CHECK(first ==
+         std::vector<real_t>{2.0, 6.0, 14.0, 24.0, 34.0, 40.0, 42.0, 46.0});
+
+   run.failing_step = 2; // from 6 to 14
+   const std::vector<real_t> cut = Times(Solve(run));
+   REQUIRE(cut.size() == times.size() + 1);
+   CHECK(cut[2] == 10.0);
+   CHECK(std::vector<real_t>(cut.begin() + 3, cut.end()) ==
+         std::vector<real_t>(times.begin() + 2, times.end()));
+}
+
+TEST_CASE("Growing steps go on from a snapshot, between cut ones too")
+{
+   TimeOptions times = Steps(2.0);
+   times.growth = 2.0;
+   FailingForce force;
+   PressedBoxOptions options;
+   options.body_force = &force;
+   PressedBox box(MPI_COMM_WORLD, options);
+   TimeStepper stepper(box.Problem(), times);
+   PressedBox other(MPI_COMM_WORLD, PressedBoxOptions());
+   TimeStepper resumed(other.Problem(), times);
+   StateSnapshot snapshot;
+   const auto taken = [&](int steps, int failures)
+   {
+      force.Fail(failures);
+      for (int i = 0; i < steps; i++)
+      {
+         REQUIRE(stepper.Step().converged);
+      }
+      stepper.Archive(snapshot);
+   };
+   const int failures = GENERATE(0, 2);
+   taken(2, 0);
+   if (failures > 0)
+   {
+      taken(1, failures);
+      CHECK(stepper.Time() == 8.0); // of 14
+   }
+   snapshot.Rewind();
+   resumed.Archive(snapshot);
+   std::vector<real_t> expected;
+   std::vector<real_t> found;
+   while (!stepper.Done())
+   {
+      REQUIRE(stepper.Step().converged);
+      expected.push_back(stepper.Time());
+   }
+   while (!resumed.Done())
+   {
+      REQUIRE(resumed.Step().converged);
+      found.push_back(resumed.Time());
+   }
+   CHECK(found == expected);
+   CHECK(std::count(found.begin(), found.end(), 14.0) == 1);
+}
+
+TEST_CASE("As many steps are counted as are taken")
+{
+   TimeOptions times;
+   times.step = 3.0;
+   CHECK(CountSteps(times, 9.0) == 3);
+   CHECK(CountSteps(times, 10.0) == 4);
+   times.growth = 2.0;
+   times.max_step = 10.0;
+   CHECK(CountSteps(times, 9.0) == 2); // 3 and 6
+   CHECK(CountSteps(times, 29.0) == 4);
+   CHECK(CountSteps(times, 30.0) == 5);
+}
+
 TEST_CASE("Options that make no sense are refused")
 {
    PressedBox box(MPI_COMM_WORLD, PressedBoxOptions());
@@ -289,6 +371,17 @@ TEST_CASE("Options that make no sense are refused")
       options.max_step = 1.0;
       message =
          "max_step is 1; it must be at least the time step, 10, or 0 (derived)";
+   }
+   SECTION("growth")
+   {
+      options.growth = 0.5;
+      message = "growth is 0.5; it must be at least 1";
+   }
+   SECTION("growth of adaptive steps")
+   {
+      options.adaptive = true;
+      options.growth = 1.5;
+      message = "growth is 1.5; it must be left out where steps are adaptive";
    }
    SECTION("error_tolerance")
    {

@@ -50,6 +50,7 @@ duration = 10
 name = "hold"
 duration = 90
 step = 9
+growth = 1.5
 adaptive = false
 release = "sides"
 [[step]]
@@ -116,6 +117,9 @@ void CheckGood(const CaseFile &setup)
    CHECK(press.time.max_step == 2.0);
    CHECK_FALSE(hold.time.adaptive);
    CHECK(hold.time.step == 9.0);
+   CHECK(hold.time.growth == 1.5);
+   CHECK(hold.time.max_step == 9.0);
+   CHECK(slide.time.growth == 1.0);
    CHECK(slide.time.adaptive);
    CHECK(slide.time.max_step == 4.0);
 
@@ -196,7 +200,7 @@ TEST_CASE("Errors of steps say where, and in which step")
    const Wrong wrong = GENERATE(
       Wrong{
          "release = \"sides\"", "release = \"side\"",
-         "case.toml:33:11: step.1.release.0: no boundary, ligament, contact "
+         "case.toml:34:11: step.1.release.0: no boundary, ligament, contact "
          "pair or tie that holds is called \"side\"; did you mean \"sides\"?"},
       Wrong{"name = \"slide\"\nduration = 20\n",
             "name = \"slide\"\nduration = 20\nrelease = [\"sides\"]\n",
@@ -234,6 +238,10 @@ TEST_CASE("Errors of steps say where, and in which step")
             "step.1.step: the duration of 1e+09 would take"},
       Wrong{"max_step = 4", "max_step = 1",
             "step.2.max_step: found 1; it must be at least the time step, 2"},
+      Wrong{"growth = 1.5", "growth = 0.5",
+            "step.1.growth: found 0.5; it must be at least 1"},
+      Wrong{"max_step = 4", "growth = 1.5",
+            "step.2.growth: adaptive steps have lengths of their own"},
       Wrong{"step = 2\n", "step = 2\nend = 100\n",
             "time.end: found 100, but the steps end at 120; leave this out"},
       Wrong{"max_step = 4", "scheme = \"sdirk33\"",

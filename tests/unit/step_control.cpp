@@ -76,6 +76,35 @@ TEST_CASE("Fixed steps grow back to their length, if they are easy")
    CHECK(control.Length() == 1.0);
 }
 
+TEST_CASE("Steps have the lengths that are planned, but for those that fail")
+{
+   StepControl control((StepLimits()));
+   control.Plan(2.0);
+   CHECK(control.Length() == 2.0);
+   CHECK_FALSE(control.IsCut());
+   control.Grow(MakeAttempt(2.0, 0.0));
+   control.Plan(3.0);
+   CHECK(control.Length() == 3.0);
+   CHECK(control.Fail(3.0));
+   CHECK(control.IsCut());
+   CHECK(control.Length() == 1.5);
+   control.Grow(MakeAttempt(1.5, 0.0, 100.0));
+   control.Plan(4.0);
+   CHECK(control.Length() == 1.5);
+   control.Grow(MakeAttempt(1.5, 0.0));
+   CHECK(control.Length() == 3.0);
+   control.Grow(MakeAttempt(3.0, 0.0));
+   CHECK(control.Length() == 4.0);
+   CHECK_FALSE(control.IsCut());
+   control.Plan(1.0);
+   CHECK(control.Length() == 1.0);
+
+   StepControl adaptive(Adaptive());
+   adaptive.Plan(50.0);
+   CHECK(adaptive.Length() == 1.0);
+   CHECK_FALSE(adaptive.IsCut());
+}
+
 TEST_CASE("The length settles where the error is near its tolerance")
 {
    StepControl control(Adaptive());
