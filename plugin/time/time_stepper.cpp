@@ -98,6 +98,13 @@ void ReadOnHost(const BlockVector &state)
    }
 }
 
+// That long after the first step began.
+real_t GrownLength(const TimeOptions &options, real_t passed)
+{
+   return std::min(options.max_step,
+                   options.step + (options.growth - 1.0) * passed);
+}
+
 StepLimits Limits(const TimeOptions &options)
 {
    StepLimits limits;
@@ -121,8 +128,7 @@ int CountSteps(const TimeOptions &options, real_t duration)
    int count = 0;
    for (real_t t = 0.0; t < duration * (1.0 - end_tolerance); count++)
    {
-      t +=
-         std::min(options.max_step, options.step + (options.growth - 1.0) * t);
+      t += GrownLength(options, t);
    }
    return count;
 }
@@ -214,8 +220,7 @@ real_t TimeStepper::PlannedLength(real_t from) const
          begin = std::max(begin, stop.time);
       }
    }
-   return std::min(options.max_step,
-                   options.step + (options.growth - 1.0) * (from - begin));
+   return GrownLength(options, from - begin);
 }
 
 real_t TimeStepper::Target() const
