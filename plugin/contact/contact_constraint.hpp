@@ -12,9 +12,9 @@ namespace synovia
 
 /// Gap and pressure jump between the surfaces of a pair as functions of
 /// displacement and pressure, with their derivatives. AugmentedLagrangian
-/// enforces it.
+/// enforces it. Large because it goes from the search to the derivatives.
 ///
-/// All members are collective. Displacements and pressures are true dofs;
+/// Members are collective, but one. Displacements and pressures are true dofs;
 /// vectors of gaps and jumps have an entry for each vertex of the destination.
 class ContactConstraint
 {
@@ -49,14 +49,16 @@ public:
 
    /// Brings the derivatives among Factors() to the last Evaluate(), for
    /// pressure @a p (true dofs), nodal forces area x traction and nodal flows
-   /// area x flux; says whether they are others than before, which they never
-   /// are where the constraint is linear.
-   virtual bool Linearize(const mfem::Vector & /*p*/,
-                          const mfem::Vector & /*nodal_force*/,
-                          const mfem::Vector & /*nodal_flow*/)
+   /// area x flux, in the steps of GapDerivatives, of which the second is not
+   /// collective; the last one says whether they are others than before, which
+   /// they never are where the constraint is linear.
+   virtual void StartLinearize(const mfem::Vector & /*p*/,
+                               const mfem::Vector & /*nodal_force*/,
+                               const mfem::Vector & /*nodal_flow*/)
    {
-      return false;
    }
+   virtual void IntegrateDerivatives() {}
+   virtual bool FinishLinearize() { return false; }
    /// Whether another search where the surfaces were evaluated last would find
    /// other gaps, by more than a part of their tolerance, or other areas.
    virtual bool HasDrifted() { return false; }
@@ -73,7 +75,7 @@ public:
       return Coverage().normal_area;
    }
    /// The matrices at the last search and Evaluate(), without weights;
-   /// derivatives by the displacement at the last Linearize().
+   /// derivatives by the displacement at the last FinishLinearize().
    virtual ContactFactors Factors() const = 0;
 
    /// Lists what later searches and evaluations depend on beside u and p, with

@@ -111,17 +111,21 @@ bool ContactPair::Search(const Vector &u)
    return found_anew;
 }
 
-bool ContactPair::Linearize(const Vector &p)
+void ContactPair::StartLinearize(const Vector &p)
 {
-   const Vector &area = constraint->Coverage().area;
-   Vector nodal_force(area);
-   Vector nodal_flow(area);
+   Vector nodal_force(constraint->Coverage().area);
+   Vector nodal_flow(nodal_force);
    nodal_force *= State().traction;
    nodal_flow *= State().flux;
-   const bool changed = constraint->Linearize(p, nodal_force, nodal_flow);
+   constraint->StartLinearize(p, nodal_force, nodal_flow);
+}
+
+bool ContactPair::FinishLinearize(const Vector &p)
+{
+   const bool changed = constraint->FinishLinearize();
    if (ContactFriction *friction = enforcement.Friction())
    {
-      friction->Linearize(p, constraint->Factors(), area,
+      friction->Linearize(p, constraint->Factors(), constraint->Coverage().area,
                           enforcement.Penalties().Gap(),
                           enforcement.Penalties().AreaResistance(), State());
    }

@@ -54,8 +54,10 @@ public:
    bool Search(const mfem::Vector &u);
    bool HasDrifted() { return constraint->HasDrifted(); }
    /// Brings the derivatives among Factors() to the last tractions and fluxes,
-   /// and pressures @a p; says whether they are others than before. Collective.
-   bool Linearize(const mfem::Vector &p);
+   /// and pressures @a p, in the steps of ContactConstraint.
+   void StartLinearize(const mfem::Vector &p);
+   void IntegrateDerivatives() { constraint->IntegrateDerivatives(); }
+   bool FinishLinearize(const mfem::Vector &p);
 
    /// Sets 1 in @a sealed (multiplier true dofs) for the vertices of either
    /// surface that this pair seals: none if one of them has no fluid and drains

@@ -228,10 +228,21 @@ void FiniteConstraint::Evaluate(const Vector &u, const Vector &p, Vector &gap,
    MultJump(*operators.jump, geometry.Destination(), p, jump, pressure);
 }
 
-bool FiniteConstraint::Linearize(const Vector &p, const Vector &nodal_force,
-                                 const Vector &nodal_flow)
+void FiniteConstraint::StartLinearize(const Vector &p,
+                                      const Vector &nodal_force,
+                                      const Vector &nodal_flow)
 {
-   gaps->Linearize(p, nodal_force, nodal_flow);
+   gaps->Derivatives().Start(p, nodal_force, nodal_flow);
+}
+
+void FiniteConstraint::IntegrateDerivatives()
+{
+   gaps->Derivatives().Integrate();
+}
+
+bool FiniteConstraint::FinishLinearize()
+{
+   gaps->Derivatives().Assemble();
    linearized = true;
    return true;
 }
@@ -243,10 +254,11 @@ ContactFactors FiniteConstraint::Factors() const
    factors.jump = gaps->Operators().jump.get();
    if (linearized)
    {
-      factors.gap_change = &gaps->GapChange();
-      factors.jump_change = &gaps->JumpChange();
-      factors.force_change = &gaps->ForceChange();
-      factors.outflow_change = &gaps->OutflowChange();
+      const GapDerivatives &derivatives = gaps->Derivatives();
+      factors.gap_change = &derivatives.Gap();
+      factors.jump_change = &derivatives.Jump();
+      factors.force_change = &derivatives.Force();
+      factors.outflow_change = &derivatives.Outflow();
    }
    return factors;
 }

@@ -10,10 +10,10 @@ namespace synovia
 
 /// Gap and jump in finite deformation: surfaces look for each other anew in
 /// each stage, unless they have hardly slid since they did, points follow the
-/// displacement in between, and Linearize() gives complete derivatives; see
-/// FiniteGap. Where points have gone to other faces, HasDrifted() searches, and
-/// the next SearchAt() takes what it found. Tractions and fluxes are per
-/// reference area of the destination.
+/// displacement in between, and derivatives are complete; see FiniteGap. Where
+/// points have gone to other faces, HasDrifted() searches, and the next
+/// SearchAt() takes what it found. Tractions and fluxes are per reference area
+/// of the destination.
 ///
 /// Large because it has all that ContactConstraint asks for.
 class FiniteConstraint : public ContactConstraint
@@ -31,8 +31,10 @@ public:
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p,
                  mfem::Vector &gap, mfem::Vector &jump,
                  mfem::Vector &pressure) override;
-   bool Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
-                  const mfem::Vector &nodal_flow) override;
+   void StartLinearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
+                       const mfem::Vector &nodal_flow) override;
+   void IntegrateDerivatives() override;
+   bool FinishLinearize() override;
    bool HasDrifted() override;
    void Accept() override;
    const ContactCoverage &Coverage() const override
@@ -48,7 +50,7 @@ public:
       return gaps->PresentNormalArea();
    }
    ContactFactors Factors() const override;
-   /// Of the last search; derivatives of the last Linearize().
+   /// Of the last search; derivatives of the last FinishLinearize().
    const FiniteGap &Gap() const { return *gaps; }
    /// Of the surfaces (true dofs).
    const mfem::Vector &Displacement() const { return displacement; }

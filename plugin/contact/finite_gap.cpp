@@ -22,7 +22,8 @@ FiniteGap::FiniteGap(const ContactSurface &source,
                      const ContactSurface &destination,
                      const Vector &destination_areas, const GapOptions &options)
    : spaces(destination.Spaces()), pairing(source, destination, options),
-     rim(destination, destination_areas, options.rim_coverage)
+     rim(destination, destination_areas, options.rim_coverage),
+     derivatives(pairing, rim, inverse_area)
 {
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "synovia/contact/rim_vertices.hpp"
+#include "synovia/contact/gap_derivatives.hpp"
 #include "synovia/contact/sliding_maps.hpp"
-#include "synovia/contact/surface_pairing.hpp"
 #include "synovia/general/parallel_triplets.hpp"
 
 #include <memory>
@@ -52,10 +51,9 @@ public:
    KeptBearing FindBearing(mfem::real_t bearing_angle) const;
    /// Lets the points of the last search follow to where the surfaces are now.
    void Follow();
-   /// Sets the derivatives where the surfaces were last, for pressures @a p
-   /// (true dofs), nodal forces area x traction and nodal flows area x flux.
-   void Linearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
-                  const mfem::Vector &nodal_flow);
+   /// Where the surfaces were last, once they are made.
+   const GapDerivatives &Derivatives() const { return derivatives; }
+   GapDerivatives &Derivatives() { return derivatives; }
 
    /// Of the points where the surfaces were last.
    SlidingMaps FindSlidingMaps() const;
@@ -81,12 +79,6 @@ public:
    {
       return present_normal_area;
    }
-
-   /// As ContactFactors has them.
-   const mfem::HypreParMatrix &GapChange() const { return *gap_change; }
-   const mfem::HypreParMatrix &JumpChange() const { return *jump_change; }
-   const mfem::HypreParMatrix &ForceChange() const { return *force_change; }
-   const mfem::HypreParMatrix &OutflowChange() const { return *outflow_change; }
 
 private:
    /// What the points cover, of which faces bear @a shares (area).
@@ -114,10 +106,7 @@ private:
    mfem::Vector inverse_area;
    mfem::Vector present_area;
    std::array<mfem::Vector, 3> present_normal_area;
-   std::unique_ptr<mfem::HypreParMatrix> gap_change;
-   std::unique_ptr<mfem::HypreParMatrix> jump_change;
-   std::unique_ptr<mfem::HypreParMatrix> force_change;
-   std::unique_ptr<mfem::HypreParMatrix> outflow_change;
+   GapDerivatives derivatives;
 };
 
 } // namespace synovia

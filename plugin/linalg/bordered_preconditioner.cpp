@@ -1,6 +1,7 @@
 #include "synovia/linalg/bordered_preconditioner.hpp"
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/scaled_equations.hpp"
+#include "synovia/linalg/shared_directions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,13 +40,13 @@ private:
    mutable Vector free;
 };
 
-/// FGMRES for them, scaled, with the preconditioner of all else.
+/// Solvers for them, scaled, with the preconditioner of all else.
 class HeldSystem
 {
 public:
-   HeldSystem(const BiphasicJacobian &jacobian, MPI_Comm comm,
+   HeldSystem(const BiphasicJacobian &jacobian, MPI_Comm comm_,
               BiphasicPreconditioner &inner_, real_t force_per_volume)
-      : inner(inner_), held(jacobian),
+      : comm(comm_), inner(inner_), held(jacobian),
         scaled(held, jacobian.Offsets()[1], force_per_volume),
         scaled_inner(inner, jacobian.Offsets()[1], 1.0 / force_per_volume),
         solver(comm)
@@ -62,8 +63,15 @@ public:
       solver.iterative_mode = true;
       return Attempt(inner, most_iterations, b, target, solver, x);
    }
+   void IterateTogether(int most_iterations, const std::vector<Vector> &b,
+                        const Vector &targets, std::vector<Vector> &x)
+   {
+      SharedDirections(comm, scaled, scaled_inner)
+         .Solve(most_iterations, b, targets, x);
+   }
 
 private:
+   MPI_Comm comm;
    BiphasicPreconditioner &inner;
    HeldEquations held;
    ScaledOperator2x2 scaled;
@@ -138,23 +146,26 @@ real_t BorderedPreconditioner::NormOnOthers(Vector forces) const
    return std::sqrt(InnerProduct(comm, forces, forces));
 }
 
-void BorderedPreconditioner::ForEachColumn(
-   const std::function<void(const Vector &, real_t, Vector &)> &solve)
+void BorderedPreconditioner::ChangeColumns(const ColumnSolver &solve)
 {
    // Good enough for what the columns take to be what the freedoms need.
    constexpr real_t accuracy = 1e-2;
    const int pressure_begin = jacobian.Offsets()[1];
+   std::vector<Vector> forces(columns.size(), Vector(height));
+   Vector targets(Columns());
    for (int j = 0; j < Columns(); j++)
    {
-      Vector forces(height);
-      jacobian.Mult(Unit(j), forces);
-      KeepOthers(forces);
-      forces.Neg();
-      const real_t target =
-         accuracy * std::sqrt(InnerProduct(comm, forces, forces));
+      jacobian.Mult(Unit(j), forces[j]);
+      KeepOthers(forces[j]);
+      forces[j].Neg();
+      targets[j] =
+         accuracy * std::sqrt(InnerProduct(comm, forces[j], forces[j]));
       Hold(columns[j]);
       ScaleFrom(pressure_begin, 1.0 / force_per_volume, columns[j]);
-      solve(forces, target, columns[j]);
+   }
+   solve(forces, targets, columns);
+   for (int j = 0; j < Columns(); j++)
+   {
       ScaleFrom(pressure_begin, force_per_volume, columns[j]);
       columns[j].HostReadWrite();
       columns[j] += Unit(j);
@@ -167,24 +178,33 @@ void BorderedPreconditioner::SolveColumns()
 {
    constexpr int most_iterations = 200;
    HeldSystem system(jacobian, comm, *inner, force_per_volume);
-   ForEachColumn(
+   // An inner preconditioner of equations that have changed much is renewed by
+   // its own rules, as in other solves.
+   const auto solve_one =
       [&](const Vector &forces, real_t target, Vector &column)
+   {
+      int iterations = 0;
+      bool again = true;
+      while (again && iterations < most_iterations)
       {
-         // An inner preconditioner of equations that have changed much is
-         // renewed by its own rules, as in other solves.
-         int iterations = 0;
-         bool again = true;
-         while (again && iterations < most_iterations)
+         const SolveAttempt attempt = system.Iterate(
+            most_iterations - iterations, forces, target, column);
+         iterations += attempt.iterations;
+         again = attempt.iterations > 0 && inner->Report(attempt) &&
+                 !attempt.converged;
+         if (again)
          {
-            const SolveAttempt attempt = system.Iterate(
-               most_iterations - iterations, forces, target, column);
-            iterations += attempt.iterations;
-            again = attempt.iterations > 0 && inner->Report(attempt) &&
-                    !attempt.converged;
-            if (again)
-            {
-               inner->Update();
-            }
+            inner->Update();
+         }
+      }
+   };
+   ChangeColumns(
+      [&](const std::vector<Vector> &forces, const Vector &targets,
+          std::vector<Vector> &solutions)
+      {
+         for (std::size_t j = 0; j < forces.size(); j++)
+         {
+            solve_one(forces[j], targets[j], solutions[j]);
          }
       });
 }
@@ -193,8 +213,10 @@ void BorderedPreconditioner::ImproveColumns()
 {
    constexpr int most_iterations = 3;
    HeldSystem system(jacobian, comm, *inner, force_per_volume);
-   ForEachColumn([&](const Vector &forces, real_t target, Vector &column)
-                 { system.Iterate(most_iterations, forces, target, column); });
+   ChangeColumns(
+      [&](const std::vector<Vector> &forces, const Vector &targets,
+          std::vector<Vector> &solutions)
+      { system.IterateTogether(most_iterations, forces, targets, solutions); });
 }
 
 bool BorderedPreconditioner::Project()

@@ -49,13 +49,15 @@ private:
    mfem::real_t NormOnOthers(mfem::Vector forces) const;
    /// Solves for all columns, from what they are.
    void SolveColumns();
-   /// The same with few iterations, of which inner learns nothing.
+   /// The same for all at once and with few iterations, of which inner learns
+   /// nothing.
    void ImproveColumns();
-   /// Lets @a solve(forces, target, column) change each column, scaled and with
-   /// zero in the slots.
-   void
-   ForEachColumn(const std::function<void(const mfem::Vector &, mfem::real_t,
-                                          mfem::Vector &)> &solve);
+   /// Improves columns for right sides and targets of their residuals' norms,
+   /// scaled and with zero in the slots.
+   using ColumnSolver = std::function<void(
+      const std::vector<mfem::Vector> &forces, const mfem::Vector &targets,
+      std::vector<mfem::Vector> &columns)>;
+   void ChangeColumns(const ColumnSolver &solve);
    /// Sets W^T A W; false if a column leaves more force than its freedom alone.
    bool Project();
    /// W^T r

@@ -374,21 +374,38 @@ bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 
 void DirectPreconditioner::Mult(const Vector &x, Vector &y) const
 {
+   Array<Vector *> solutions({&y});
+   ArrayMult(Array<const Vector *>({&x}), solutions);
+}
+
+void DirectPreconditioner::ArrayMult(const Array<const Vector *> &x,
+                                     Array<Vector *> &y) const
+{
    const int begin = jacobian.Offsets()[1];
    // Factors and their update are on the host.
-   right_side = x;
-   right_side.HostReadWrite();
-   for (const int dof : jacobian.PressureDofs())
+   std::vector<Vector> right_sides;
+   right_sides.reserve(x.Size());
+   Array<const Vector *> held;
+   for (const Vector *one : x)
    {
-      right_side[begin + dof] = 0.0;
+      right_sides.push_back(*one);
+      real_t *const entries = right_sides.back().HostReadWrite();
+      for (const int dof : jacobian.PressureDofs())
+      {
+         entries[begin + dof] = 0.0;
+      }
+      held.Append(&right_sides.back());
    }
-   factors->Mult(right_side, y);
-   update.Correct(y);
-   const real_t *from = x.HostRead();
-   real_t *to = y.HostReadWrite();
-   for (const int dof : jacobian.PressureDofs())
+   factors->ArrayMult(held, y);
+   for (int i = 0; i < x.Size(); i++)
    {
-      to[begin + dof] = from[begin + dof];
+      update.Correct(*y[i]);
+      const real_t *from = x[i]->HostRead();
+      real_t *const to = y[i]->HostReadWrite();
+      for (const int dof : jacobian.PressureDofs())
+      {
+         to[begin + dof] = from[begin + dof];
+      }
    }
 }
 

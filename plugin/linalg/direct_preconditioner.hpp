@@ -37,6 +37,8 @@ public:
    bool Report(const SolveAttempt &attempt) override;
    int Patience() const override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
+   void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
+                  mfem::Array<mfem::Vector *> &y) const override;
 
 private:
    enum Kind
@@ -106,7 +108,6 @@ private:
       tables;
    std::map<Key, Column> columns;
    LowRankUpdate update;
-   mutable mfem::Vector right_side;
 };
 
 } // namespace synovia

@@ -268,10 +268,18 @@ bool StageEquations::LinearizeBodies(const BodyStage &stage)
 
 bool StageEquations::LinearizeContact(const BodyStage &stage)
 {
+   for (ContactPair *pair : pairs)
+   {
+      pair->StartLinearize(stage.p);
+   }
+   for (ContactPair *pair : pairs)
+   {
+      pair->IntegrateDerivatives();
+   }
    bool changed = false;
    for (ContactPair *pair : pairs)
    {
-      changed = pair->Linearize(stage.p) || changed;
+      changed = pair->FinishLinearize(stage.p) || changed;
    }
    if (changed)
    {

@@ -204,7 +204,10 @@ TEST_CASE("Derivatives of gap, jump, forces and flows agree with differences")
    const Vector nodal_force = bodies.RandomForces(3);
    const Vector nodal_flow = bodies.RandomForces(4);
    const Vector p = bodies.Random(bodies.spaces.Pressure().GetTrueVSize(), 5);
-   bodies.gap.Linearize(p, nodal_force, nodal_flow);
+   GapDerivatives &derivatives = bodies.gap.Derivatives();
+   derivatives.Start(p, nodal_force, nodal_flow);
+   derivatives.Integrate();
+   derivatives.Assemble();
    const Vector area(bodies.gap.Operators().area);
    CHECK(SumOverRanks(area.Sum(), MPI_COMM_WORLD) <
          0.99 * SumOverRanks(bodies.gap.Operators().own_area.Sum(),
@@ -244,10 +247,10 @@ TEST_CASE("Derivatives of gap, jump, forces and flows agree with differences")
          difference -= exact;
          CHECK(Norm(difference) <= difference_tolerance * size);
       };
-      compare("gap", plus.gap, minus.gap, bodies.gap.GapChange());
-      compare("jump", plus.jump, minus.jump, bodies.gap.JumpChange());
-      compare("force", plus.force, minus.force, bodies.gap.ForceChange());
-      compare("flow", plus.flow, minus.flow, bodies.gap.OutflowChange());
+      compare("gap", plus.gap, minus.gap, derivatives.Gap());
+      compare("jump", plus.jump, minus.jump, derivatives.Jump());
+      compare("force", plus.force, minus.force, derivatives.Force());
+      compare("flow", plus.flow, minus.flow, derivatives.Outflow());
    }
 }
 

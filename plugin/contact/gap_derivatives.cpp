@@ -1,5 +1,4 @@
-#include "synovia/contact/displacement_change.hpp"
-#include "synovia/contact/finite_gap.hpp"
+#include "synovia/contact/gap_derivatives.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 
@@ -124,28 +123,34 @@ private:
 };
 } // namespace
 
-void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
-                          const Vector &nodal_flow)
+GapDerivatives::GapDerivatives(SurfacePairing &pairing_,
+                               const RimVertices &rim_,
+                               const Vector &inverse_area_)
+   : pairing(pairing_), rim(rim_), inverse_area(inverse_area_)
 {
-   const SurfaceVertices &m = pairing.Destination().Vertices();
-   pairing.SourceFaces().UpdatePressures(p);
-   force_change.reset();
-   gap_change.reset();
-   jump_change.reset();
-   outflow_change.reset();
-   Vector traction(nodal_force);
-   Vector flux(nodal_flow);
-   traction *= inverse_area;
-   flux *= inverse_area;
-   rim.Spread(traction);
-   rim.Spread(flux);
-   traction = m.Share(traction);
-   flux = m.Share(flux);
+}
 
-   DisplacementChange by_gap;
-   DisplacementChange by_jump;
-   DisplacementChange by_force;
-   DisplacementChange by_outflow;
+void GapDerivatives::Start(const Vector &p, const Vector &nodal_force,
+                           const Vector &nodal_flow)
+{
+   gap.reset();
+   jump.reset();
+   force.reset();
+   outflow.reset();
+   by_gap = by_jump = by_force = by_outflow = DisplacementChange();
+   pairing.SourceFaces().UpdatePressures(p);
+   const auto shared = [&](Vector values)
+   {
+      values *= inverse_area;
+      rim.Spread(values);
+      return pairing.Destination().Vertices().Share(values);
+   };
+   traction = shared(nodal_force);
+   flux = shared(nodal_flow);
+}
+
+void GapDerivatives::Integrate()
+{
    PairedPointShapes at(pairing);
    Vector phi;
    const std::vector<PairedPoint> &points = pairing.Points();
@@ -168,28 +173,41 @@ void FiniteGap::Linearize(const Vector &p, const Vector &nodal_force,
       }
       change.AppendTo(by_gap, by_jump, by_force, by_outflow);
    }
-   const SurfaceNormals &normals = pairing.Normals();
-   const auto normals_change = normals.Derivative();
-   ParFiniteElementSpace &u = spaces.Displacement();
-   const auto by_vertex = [&](DisplacementChange &change)
-   {
-      auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(), u, normals,
-                                    *normals_change);
-      rim.Gather(matrix);
-      matrix->ScaleRows(inverse_area);
-      return matrix;
-   };
-   const auto by_dof =
-      [&](DisplacementChange &change, ParFiniteElementSpace &rows)
-   {
-      return change.Assemble(rows.GetTrueDofOffsets(), rows.GlobalTrueVSize(),
-                             u, normals, *normals_change);
-   };
+}
+
+void GapDerivatives::Assemble()
+{
+   BiphasicSpaces &spaces = pairing.Destination().Spaces();
+   const auto normals_change = pairing.Normals().Derivative();
    // The largest first, which leaves room for the others.
-   force_change = by_dof(by_force, u);
-   gap_change = by_vertex(by_gap);
-   jump_change = by_vertex(by_jump);
-   outflow_change = by_dof(by_outflow, spaces.Pressure());
+   force = AssembleByDof(by_force, spaces.Displacement(), *normals_change);
+   gap = AssembleByVertex(by_gap, *normals_change);
+   jump = AssembleByVertex(by_jump, *normals_change);
+   outflow = AssembleByDof(by_outflow, spaces.Pressure(), *normals_change);
+}
+
+std::unique_ptr<HypreParMatrix>
+GapDerivatives::AssembleByVertex(DisplacementChange &change,
+                                 const HypreParMatrix &normals_change) const
+{
+   const ContactSurface &destination = pairing.Destination();
+   const SurfaceVertices &m = destination.Vertices();
+   auto matrix = change.Assemble(m.Offsets(), m.GlobalSize(),
+                                 destination.Spaces().Displacement(),
+                                 pairing.Normals(), normals_change);
+   rim.Gather(matrix);
+   matrix->ScaleRows(inverse_area);
+   return matrix;
+}
+
+std::unique_ptr<HypreParMatrix>
+GapDerivatives::AssembleByDof(DisplacementChange &change,
+                              ParFiniteElementSpace &rows,
+                              const HypreParMatrix &normals_change) const
+{
+   return change.Assemble(rows.GetTrueDofOffsets(), rows.GlobalTrueVSize(),
+                          pairing.Destination().Spaces().Displacement(),
+                          pairing.Normals(), normals_change);
 }
 
 } // namespace synovia
