@@ -52,11 +52,11 @@ private:
    /// The same for all at once and with few iterations, of which inner learns
    /// nothing.
    void ImproveColumns();
-   /// Improves columns for right sides and targets of their residuals' norms,
-   /// scaled and with zero in the slots.
+   /// Improves columns for right sides and targets of their residuals' norms.
    using ColumnSolver = std::function<void(
       const std::vector<mfem::Vector> &forces, const mfem::Vector &targets,
       std::vector<mfem::Vector> &columns)>;
+   /// Lets it improve all columns, scaled and with zero in the slots.
    void ChangeColumns(const ColumnSolver &solve);
    /// Sets W^T A W; false if a column leaves more force than its freedom alone.
    bool Project();
