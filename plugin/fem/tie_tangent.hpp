@@ -28,11 +28,10 @@ public:
    /// T^T f, on all ranks. Collective.
    mfem::Vector Collect(const mfem::Vector &f) const;
    const mfem::DenseMatrix &Stiffness() const { return stiffness; }
-
-private:
-   /// Displacement of a node by an amount of 1.
+   /// Displacement by an amount of 1 of a freedom, of a node with this arm.
    Point3 Motion(const RigidTies::Slot &slot, const Point3 &arm) const;
 
+private:
    const RigidTies &ties;
    const Ligaments &ligaments;
    const Joints &joints;

@@ -44,10 +44,21 @@ BiphasicJacobian::BiphasicJacobian(const VolumeMatrices &matrices_,
    {
       u_dofs.Append(rigid->Idle());
    }
-   if (ties)
+   u_dofs.Sort();
+   u_dofs.Unique();
+   if (!ties)
    {
-      u_dofs.Append(ties->Ties().Dofs());
+      prescribed_dofs = u_dofs;
+      return;
    }
+   for (const int dof : u_dofs)
+   {
+      if (ties->Ties().Dofs().FindSorted(dof) < 0)
+      {
+         prescribed_dofs.Append(dof);
+      }
+   }
+   u_dofs.Append(ties->Ties().Dofs());
    u_dofs.Sort();
    u_dofs.Unique();
 }
@@ -228,10 +239,13 @@ BiphasicJacobian::DisplacementBlock(const std::vector<Vector> &weights) const
       const HypreParMatrix &gap = *pair.gap;
       AddTo(sum, WeightedProduct(gap, weights[i], gap));
    }
-   return WithBodies(std::move(sum));
+   std::unique_ptr<HypreParMatrix> block = AddToBodies(std::move(sum));
+   Eliminate(u_dofs, *block);
+   return block;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::MomentumBlock(const TieMap *map, real_t support) const
 {
    std::unique_ptr<HypreParMatrix> sum = ForceChange();
    for (const ContactFactors &pair : Contact())
@@ -239,7 +253,13 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::MomentumBlock() const
       AddTo(sum,
             WeightedProduct(*pair.gap, *pair.gap_weights, *pair.gap_change));
    }
-   return WithBodies(std::move(sum));
+   std::unique_ptr<HypreParMatrix> block = AddToBodies(std::move(sum));
+   if (map)
+   {
+      block = map->Stiffness(*block, support);
+   }
+   Eliminate(prescribed_dofs, *block);
+   return block;
 }
 
 std::unique_ptr<HypreParMatrix> BiphasicJacobian::ForceChange() const
@@ -255,26 +275,31 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::ForceChange() const
    return sum;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::WithBodies(
+std::unique_ptr<HypreParMatrix> BiphasicJacobian::AddToBodies(
    std::unique_ptr<HypreParMatrix> contact_terms) const
 {
    // Small matrices are added up first, so that the large one is copied once.
-   std::unique_ptr<HypreParMatrix> block(
+   return std::unique_ptr<HypreParMatrix>(
       contact_terms ? Add(1.0, *matrices.stiffness, 1.0, *contact_terms)
                     : new HypreParMatrix(*matrices.stiffness));
+}
+
+void BiphasicJacobian::Eliminate(const Array<int> &dofs,
+                                 HypreParMatrix &block) const
+{
    if (IsContactSymmetric())
    {
-      block->EliminateBC(u_dofs, DIAG_ONE);
+      block.EliminateBC(dofs, DIAG_ONE);
    }
    else
    {
       // The former looks for columns only where rows have entries.
-      delete block->EliminateRowsCols(u_dofs);
+      delete block.EliminateRowsCols(dofs);
    }
-   return block;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::LoadBlock() const
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::LoadBlock(const TieMap *map) const
 {
    auto block =
       std::make_unique<HypreParMatrix>(*matrices.divergence_transpose);
@@ -285,14 +310,19 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::LoadBlock() const
          block.reset(Add(1.0, *block, -1.0, *pair.force_by_pressure));
       }
    }
+   if (map)
+   {
+      block = map->Rows(*block);
+   }
    Vector counts(block->Height());
    counts = 1.0;
-   counts.SetSubVector(u_dofs, 0.0);
+   counts.SetSubVector(prescribed_dofs, 0.0);
    block->ScaleRows(counts);
    return block;
 }
 
-std::unique_ptr<HypreParMatrix> BiphasicJacobian::CouplingBlock() const
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::CouplingBlock(const TieMap *map) const
 {
    std::unique_ptr<HypreParMatrix> sum;
    for (const ContactFactors &pair : Contact())
@@ -310,7 +340,11 @@ std::unique_ptr<HypreParMatrix> BiphasicJacobian::CouplingBlock() const
    std::unique_ptr<HypreParMatrix> block(
       sum ? Add(1.0, *matrices.divergence, dt, *sum)
           : new HypreParMatrix(*matrices.divergence));
-   delete block->EliminateCols(u_dofs);
+   if (map)
+   {
+      block = map->Columns(*block);
+   }
+   delete block->EliminateCols(prescribed_dofs);
    return block;
 }
 
@@ -354,11 +388,18 @@ Vector BiphasicJacobian::Holding(real_t large) const
    return holding;
 }
 
-std::unique_ptr<HypreParMatrix>
-BiphasicJacobian::AssembleHeld(const Vector &holding) const
+std::unique_ptr<TieMap> BiphasicJacobian::MakeTieMap() const
 {
-   const std::unique_ptr<HypreParMatrix> momentum = MomentumBlock();
-   const std::unique_ptr<HypreParMatrix> coupling = CouplingBlock();
+   return ties ? std::make_unique<TieMap>(*ties, *matrices.stiffness) : nullptr;
+}
+
+std::unique_ptr<HypreParMatrix>
+BiphasicJacobian::AssembleHeld(const Vector &holding, real_t support) const
+{
+   const std::unique_ptr<TieMap> map = MakeTieMap();
+   const std::unique_ptr<HypreParMatrix> momentum =
+      MomentumBlock(map.get(), support);
+   const std::unique_ptr<HypreParMatrix> coupling = CouplingBlock(map.get());
    std::unique_ptr<HypreParMatrix> transpose;
    if (IsContactSymmetric())
    {
@@ -366,7 +407,7 @@ BiphasicJacobian::AssembleHeld(const Vector &holding) const
    }
    else
    {
-      transpose = LoadBlock();
+      transpose = LoadBlock(map.get());
    }
    const std::unique_ptr<HypreParMatrix> pressure = PressureBlock();
    SparseMatrix diagonal;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/fem/tie_tangent.hpp"
+#include "synovia/fem/tie_map.hpp"
 #include "synovia/general/vector_entries.hpp"
 #include "synovia/linalg/reduced_contact.hpp"
 
@@ -73,12 +73,22 @@ public:
    /// The whole matrix, assembled, with unit rows for prescribed displacements
    /// and -@a holding on the diagonal for prescribed pressures. Where contact
    /// is symmetric it may be treated as symmetric: the bodies' part nearly is,
-   /// and its coupling blocks are each other's transpose.
+   /// and its coupling blocks are each other's transpose. Freedoms of rigid
+   /// bodies have their slots, with @a support as in TieMap::Stiffness().
    std::unique_ptr<mfem::HypreParMatrix>
-   AssembleHeld(const mfem::Vector &holding) const;
+   AssembleHeld(const mfem::Vector &holding, mfem::real_t support) const;
+   /// The map to which AssembleHeld() belongs; null where nothing is tied.
+   /// Collective.
+   std::unique_ptr<TieMap> MakeTieMap() const;
 
    const mfem::Array<int> &Offsets() const { return offsets; }
+   /// Prescribed and tied ones.
    const mfem::Array<int> &DisplacementDofs() const { return OnHost(u_dofs); }
+   /// Prescribed ones that aren't tied.
+   const mfem::Array<int> &PrescribedDofs() const
+   {
+      return OnHost(prescribed_dofs);
+   }
    const mfem::Array<int> &PressureDofs() const { return OnHost(p_dofs); }
    /// Of all pairs, for reduced displacements.
    const ContactTerms &Contact() const { return contact.Terms(); }
@@ -107,21 +117,23 @@ private:
 
    /// sum F, or null where no pair has it.
    std::unique_ptr<Matrix> ForceChange() const;
-   /// K + @a contact_terms, which may be null, with unit rows and columns for
-   /// the prescribed dofs.
+   /// K + @a contact_terms, which may be null.
    std::unique_ptr<Matrix>
-   WithBodies(std::unique_ptr<Matrix> contact_terms) const;
-   /// K + sum (G^T W R + F), with unit rows and columns.
-   std::unique_ptr<Matrix> MomentumBlock() const;
+   AddToBodies(std::unique_ptr<Matrix> contact_terms) const;
+   /// Gives prescribed dofs unit rows and columns.
+   void Eliminate(const mfem::Array<int> &dofs, Matrix &block) const;
+   /// K + sum (G^T W R + F) by @a map, if any, with unit rows and columns.
+   std::unique_ptr<Matrix> MomentumBlock(const TieMap *map,
+                                         mfem::real_t support) const;
    /// B + dt (J^T W_p J_u + O), with zero columns for prescribed dofs.
-   std::unique_ptr<Matrix> CouplingBlock() const;
+   std::unique_ptr<Matrix> CouplingBlock(const TieMap *map) const;
    /// dt L + S + dt J^T W_p J
    std::unique_ptr<Matrix> PressureBlock() const;
    /// y += contact's (G^T W R + F) u + H p
    void AddContactForces(const mfem::Vector &u, const mfem::Vector &p,
                          mfem::Vector &y) const;
    /// B^T - sum H, with zero rows for prescribed dofs.
-   std::unique_ptr<Matrix> LoadBlock() const;
+   std::unique_ptr<Matrix> LoadBlock(const TieMap *map) const;
    /// y += scale x contact's mass of a displacement and a pressure, of which
    /// either may be null.
    void AddContactMass(mfem::real_t scale, const mfem::Vector *u,
@@ -131,6 +143,7 @@ private:
    std::unique_ptr<VolumeMatrices> reduced;
    const VolumeMatrices &matrices;
    const mfem::Array<int> &offsets;
+   mfem::Array<int> prescribed_dofs;
    mfem::Array<int> u_dofs;
    const RigidSurfaces *rigid;
    const TieTangent *ties;

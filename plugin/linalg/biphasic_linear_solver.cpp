@@ -116,11 +116,11 @@ BiphasicLinearSolver::MakePreconditioner() const
       exact.single_precision = tuning.factorization.single_precision;
       made = std::make_unique<BlockAmgPreconditioner>(jacobian, comm, exact,
                                                       tuning.multigrid);
-   }
-   if (jacobian.Ties())
-   {
-      made = std::make_unique<BorderedPreconditioner>(
-         jacobian, comm, force_per_volume, std::move(made));
+      if (jacobian.Ties())
+      {
+         made = std::make_unique<BorderedPreconditioner>(
+            jacobian, comm, force_per_volume, std::move(made));
+      }
    }
    return made;
 }

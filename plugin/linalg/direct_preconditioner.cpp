@@ -33,6 +33,15 @@ void AddDistance(const SparsePart &a, const SparsePart &b,
    }
 }
 
+// Global rows x local columns.
+std::unique_ptr<SparseMatrix> RowTable(const HypreParMatrix &matrix)
+{
+   const std::unique_ptr<HypreParMatrix> transpose(matrix.Transpose());
+   SparseMatrix mine;
+   transpose->MergeDiagAndOffd(mine);
+   return std::unique_ptr<SparseMatrix>(Transpose(mine));
+}
+
 std::array<real_t, 2> Distance(const LowRankUpdate::Column &a,
                                const LowRankUpdate::Column &b)
 {
@@ -61,8 +70,14 @@ real_t DirectPreconditioner::MostColumns(int renew_after,
 
 void DirectPreconditioner::ContactMoved()
 {
-   tables.clear();
+   TangentChanged();
    moved = true;
+}
+
+void DirectPreconditioner::TangentChanged()
+{
+   tables.clear();
+   tie_map.reset();
 }
 
 bool DirectPreconditioner::IsLikeFactorized() const
@@ -168,9 +183,12 @@ void DirectPreconditioner::Factorize()
    // taken back from the factors by a column.
    constexpr real_t of_double = 1e11;
    constexpr real_t of_single = 1e5;
-   holding = jacobian.Holding(options.single_precision ? of_single : of_double);
+   const real_t large = options.single_precision ? of_single : of_double;
+   holding = jacobian.Holding(large);
+   // As much as round-off of the factors leaves of a freedom.
+   constexpr real_t above_round_off = 1e-2;
    const std::unique_ptr<HypreParMatrix> matrix =
-      jacobian.AssembleHeld(holding);
+      jacobian.AssembleHeld(holding, above_round_off / large);
    if (factors)
    {
       factors->SetOperator(*matrix);
@@ -191,22 +209,35 @@ const SparseMatrix &DirectPreconditioner::Rows(const HypreParMatrix &matrix)
    std::unique_ptr<SparseMatrix> &table = tables[&matrix];
    if (!table)
    {
-      const std::unique_ptr<HypreParMatrix> transpose(matrix.Transpose());
-      SparseMatrix mine;
-      transpose->MergeDiagAndOffd(mine);
-      table.reset(Transpose(mine));
+      table = RowTable(matrix);
    }
    return *table;
+}
+
+const SparseMatrix &
+DirectPreconditioner::RowsOnFreedoms(const HypreParMatrix &matrix)
+{
+   if (!jacobian.Ties() || tables.count(&matrix) > 0)
+   {
+      return Rows(matrix);
+   }
+   if (!tie_map)
+   {
+      tie_map = jacobian.MakeTieMap();
+   }
+   const std::unique_ptr<HypreParMatrix> mapped = tie_map->Columns(matrix);
+   tables[&matrix] = RowTable(*mapped);
+   return *tables[&matrix];
 }
 
 void DirectPreconditioner::AddDisplacements(const HypreParMatrix &matrix,
                                             int row, SparsePart &part)
 {
-   const SparseMatrix &table = Rows(matrix);
+   const SparseMatrix &table = RowsOnFreedoms(matrix);
    for (int i = table.GetI()[row]; i < table.GetI()[row + 1]; i++)
    {
       const int dof = table.GetJ()[i];
-      if (jacobian.DisplacementDofs().FindSorted(dof) < 0)
+      if (jacobian.PrescribedDofs().FindSorted(dof) < 0)
       {
          part.Add(dof, table.GetData()[i]);
       }
@@ -374,38 +405,21 @@ bool DirectPreconditioner::Report(const SolveAttempt &attempt)
 
 void DirectPreconditioner::Mult(const Vector &x, Vector &y) const
 {
-   Array<Vector *> solutions({&y});
-   ArrayMult(Array<const Vector *>({&x}), solutions);
-}
-
-void DirectPreconditioner::ArrayMult(const Array<const Vector *> &x,
-                                     Array<Vector *> &y) const
-{
    const int begin = jacobian.Offsets()[1];
    // Factors and their update are on the host.
-   std::vector<Vector> right_sides;
-   right_sides.reserve(x.Size());
-   Array<const Vector *> held;
-   for (const Vector *one : x)
+   right_side = x;
+   real_t *const entries = right_side.HostReadWrite();
+   for (const int dof : jacobian.PressureDofs())
    {
-      right_sides.push_back(*one);
-      real_t *const entries = right_sides.back().HostReadWrite();
-      for (const int dof : jacobian.PressureDofs())
-      {
-         entries[begin + dof] = 0.0;
-      }
-      held.Append(&right_sides.back());
+      entries[begin + dof] = 0.0;
    }
-   factors->ArrayMult(held, y);
-   for (int i = 0; i < x.Size(); i++)
+   factors->Mult(right_side, y);
+   update.Correct(y);
+   const real_t *from = x.HostRead();
+   real_t *const to = y.HostReadWrite();
+   for (const int dof : jacobian.PressureDofs())
    {
-      update.Correct(*y[i]);
-      const real_t *from = x[i]->HostRead();
-      real_t *const to = y[i]->HostReadWrite();
-      for (const int dof : jacobian.PressureDofs())
-      {
-         to[begin + dof] = from[begin + dof];
-      }
+      to[begin + dof] = from[begin + dof];
    }
 }
 

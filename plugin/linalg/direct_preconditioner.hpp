@@ -9,7 +9,8 @@
 namespace synovia
 {
 
-/// A factorization of the whole Jacobian, kept over steps and active sets.
+/// A factorization of the whole Jacobian, the freedoms of rigid bodies
+/// included, kept over steps and active sets.
 ///
 /// A changed active set differs from the one factorized by a matrix of low
 /// rank: each vertex that touches or leaves, each jump that is closed or open,
@@ -32,13 +33,11 @@ public:
 
    void ContactMoved() override;
    /// Older factors serve as long as their iterations cost less than new ones.
-   void TangentChanged() override { tables.clear(); }
+   void TangentChanged() override;
    void Update() override;
    bool Report(const SolveAttempt &attempt) override;
    int Patience() const override;
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override;
-   void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
-                  mfem::Array<mfem::Vector *> &y) const override;
 
 private:
    enum Kind
@@ -77,6 +76,9 @@ private:
    Column ColumnOf(const Key &key);
    /// Global rows of a contact operator x local true dofs.
    const mfem::SparseMatrix &Rows(const mfem::HypreParMatrix &matrix);
+   /// The same of a matrix for displacements, with the freedoms of rigid
+   /// bodies.
+   const mfem::SparseMatrix &RowsOnFreedoms(const mfem::HypreParMatrix &matrix);
    /// Adds a row of a contact operator on free dofs to @a part.
    void AddDisplacements(const mfem::HypreParMatrix &matrix, int row,
                          SparsePart &part);
@@ -106,8 +108,11 @@ private:
    std::unique_ptr<mfem::Solver> factors;
    std::map<const mfem::HypreParMatrix *, std::unique_ptr<mfem::SparseMatrix>>
       tables;
+   /// Of the present tangent, once it was needed.
+   std::unique_ptr<TieMap> tie_map;
    std::map<Key, Column> columns;
    LowRankUpdate update;
+   mutable mfem::Vector right_side;
 };
 
 } // namespace synovia

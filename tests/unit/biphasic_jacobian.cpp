@@ -154,7 +154,7 @@ TEST_CASE("The Jacobian is symmetric, and the assembled one is the same")
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(p_dofs);
    const Vector holding = jacobian.Holding(1e11);
-   const auto assembled = jacobian.AssembleHeld(holding);
+   const auto assembled = jacobian.AssembleHeld(holding, 0.0);
    Vector ax(offsets.Last());
    Vector ay(ax.Size());
    Vector bx(ax.Size());
@@ -214,7 +214,7 @@ TEST_CASE("Contact with all its changes is applied as it is assembled")
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(p_dofs);
    CHECK_FALSE(jacobian.IsContactSymmetric());
-   const auto assembled = jacobian.AssembleHeld(jacobian.Holding(1e11));
+   const auto assembled = jacobian.AssembleHeld(jacobian.Holding(1e11), 0.0);
    Vector ax(offsets.Last());
    Vector ay(ax.Size());
    Vector bx(ax.Size());
