@@ -4,7 +4,7 @@
 
 #include "synovia/general/profiled_work.hpp"
 #include "synovia/general/reduce.hpp"
-#include "synovia/linalg/local_rows.hpp"
+#include "synovia/linalg/coupled_rows.hpp"
 #include "synovia/linalg/mumps_instance.hpp"
 #include "synovia/linalg/pattern_hash.hpp"
 
@@ -18,15 +18,13 @@ using namespace mfem;
 
 namespace
 {
-/// This rank's rows, only the lower triangle of symmetric ones, in global
+/// Rows from @a first on, only the lower triangle of symmetric ones, in global
 /// numbers from 1.
 template <typename Number>
 struct Entries
 {
-   Entries(const HypreParMatrix &matrix, bool lower_triangle)
+   Entries(const SparseMatrix &mine, int first, bool lower_triangle)
    {
-      const SparseMatrix mine = LocalRows(matrix);
-      const int first = static_cast<int>(matrix.RowPart()[0]);
       rows.reserve(mine.NumNonZeroElems());
       columns.reserve(mine.NumNonZeroElems());
       values.reserve(mine.NumNonZeroElems());
@@ -69,7 +67,10 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    first_row = matrix.RowPart()[0];
    route.reset();
 
-   const std::uint64_t now = PatternHash(matrix).Value();
+   const SparseMatrix coupled =
+      CoupledRows(matrix, KeepsOrdering() ? DroppedZeros::of_lone_unknowns
+                                          : DroppedZeros::all);
+   const std::uint64_t now = PatternHash(coupled).Value();
    const bool reorder = AnyRank(!instance || now != pattern, comm);
    pattern = now;
    if (reorder)
@@ -78,7 +79,8 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
       instance = std::make_unique<MumpsInstance<Number>>(comm, kind, options);
       instance->WorkspaceMargin() = workspace_margin;
    }
-   Entries<Number> entries(matrix, kind != MatrixKind::general);
+   Entries<Number> entries(coupled, static_cast<int>(first_row),
+                           kind != MatrixKind::general);
    instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
    instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
    instance->data.irn_loc = entries.rows.data();
@@ -99,11 +101,18 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
 }
 
 template <typename Number>
-bool MumpsSolver<Number>::Analyze()
+bool MumpsSolver<Number>::KeepsOrdering() const
 {
    // Where contact slides on, patterns differ little, and an ordering takes
    // longer than what a slightly worse one costs, unless blocks of low rank are
-   // made of it: those of a kept one take up to half as long again.
+   // made of it: those of a kept one take up to half as long again. Operators
+   // of symmetric contact stay as they are.
+   return options.compression == 0.0 || kind != MatrixKind::general;
+}
+
+template <typename Number>
+bool MumpsSolver<Number>::Analyze()
+{
    constexpr double most_growth = 1.3;
    const int rows = instance->data.n;
    if (ordering.rows == rows && options.compression == 0.0)

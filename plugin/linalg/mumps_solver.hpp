@@ -46,6 +46,9 @@ private:
       int rows = 0;
    };
 
+   /// Whether an ordering is to serve for several patterns, or a pattern for
+   /// all that may touch.
+   bool KeepsOrdering() const;
    bool Analyze();
    /// False if it fails for good.
    bool Factorize();

@@ -11,34 +11,21 @@ namespace synovia
 class PatternHash
 {
 public:
-   /// Of this rank's rows.
-   explicit PatternHash(const mfem::HypreParMatrix &matrix)
+   explicit PatternHash(const mfem::SparseMatrix &matrix)
    {
-      mfem::SparseMatrix diagonal;
-      mfem::SparseMatrix others;
-      HYPRE_BigInt *columns = nullptr;
-      matrix.GetDiag(diagonal);
-      matrix.GetOffd(others, columns);
-      Add(diagonal);
-      Add(others);
-      Add(columns, others.Width());
+      Add(matrix.HostReadI(), matrix.Height() + 1);
+      Add(matrix.HostReadJ(), matrix.NumNonZeroElems());
    }
    std::uint64_t Value() const { return value; }
 
 private:
-   template <typename Index>
-   void Add(const Index *indices, int count)
+   void Add(const int *indices, int count)
    {
       constexpr std::uint64_t prime = 1099511628211u;
       for (int i = 0; i < count; i++)
       {
          value = (value ^ static_cast<std::uint64_t>(indices[i])) * prime;
       }
-   }
-   void Add(const mfem::SparseMatrix &part)
-   {
-      Add(part.HostReadI(), part.Height() + 1);
-      Add(part.HostReadJ(), part.NumNonZeroElems());
    }
 
    std::uint64_t value = 14695981039346656037u;

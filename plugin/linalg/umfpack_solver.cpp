@@ -3,8 +3,8 @@
 #ifdef MFEM_USE_SUITESPARSE
 
 #include "synovia/general/text.hpp"
+#include "synovia/linalg/coupled_rows.hpp"
 #include "synovia/linalg/direct_solver.hpp"
-#include "synovia/linalg/local_rows.hpp"
 
 #include <cmath>
 #include <string>
@@ -37,7 +37,8 @@ UmfpackSolver::UmfpackSolver(int memory_limit_)
 
 void UmfpackSolver::SetOperator(const Operator &op)
 {
-   SparseMatrix matrix = LocalRows(dynamic_cast<const HypreParMatrix &>(op));
+   SparseMatrix matrix = CoupledRows(dynamic_cast<const HypreParMatrix &>(op),
+                                     DroppedZeros::of_lone_unknowns);
    MFEM_VERIFY(matrix.Height() == matrix.Width(),
                "UMFPACK needs all rows of a square matrix");
    matrix.SortColumnIndices();

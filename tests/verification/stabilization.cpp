@@ -134,7 +134,7 @@ Vector SolveStep(BiphasicProblem &problem, bool stabilized, real_t dt)
    jacobian.SetTimeStep(dt);
    jacobian.SetPressureDofs(conditions.PressureDofs());
    const std::unique_ptr<HypreParMatrix> matrix =
-      jacobian.AssembleHeld(jacobian.Holding(1e11));
+      jacobian.AssembleHeld(jacobian.Holding(1e11), 0.0);
    const std::unique_ptr<Solver> solver =
       MakeDirectSolver(*matrix, MatrixKind::symmetric);
 
