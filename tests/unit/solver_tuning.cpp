@@ -260,8 +260,8 @@ TEST_CASE("Factors that are too coarse are given up for better ones")
    std::vector<std::string> coarse(direct);
    coarse.push_back("solver.tuning.factorization.compress_above=0");
    coarse.push_back("solver.tuning.factorization.compression=0.9");
-   BoxOptions box = LowerBox(16);
-   box.nz = 6;
+   BoxOptions box = LowerBox(20);
+   box.nz = 10;
    const Run standard = RunCase(direct, box);
    const Run refined = RunCase(coarse, box);
    CAPTURE(standard.work.factorizations, refined.work.factorizations);
