@@ -1,5 +1,8 @@
 #include "synovia/linalg/coupled_rows.hpp"
+#include "synovia/general/gather_on_all.hpp"
 #include "synovia/linalg/local_rows.hpp"
+
+#include <algorithm>
 
 namespace synovia
 {
@@ -20,26 +23,18 @@ bool IsLone(const SparseMatrix &rows, int row, int diagonal)
    return true;
 }
 
-// By global row, of all ranks.
-std::vector<char> FindLone(const SparseMatrix &rows, int first, int size,
-                           MPI_Comm comm)
+// Global rows of all ranks, ascending.
+std::vector<int> FindLone(const SparseMatrix &rows, int first, MPI_Comm comm)
 {
-   const int count = rows.Height();
-   std::vector<char> mine(count);
-   for (int i = 0; i < count; i++)
+   std::vector<int> mine;
+   for (int i = 0; i < rows.Height(); i++)
    {
-      mine[i] = IsLone(rows, i, first + i);
+      if (IsLone(rows, i, first + i))
+      {
+         mine.push_back(first + i);
+      }
    }
-   int ranks = 1;
-   MPI_Comm_size(comm, &ranks);
-   std::vector<int> counts(ranks);
-   std::vector<int> starts(ranks);
-   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-   MPI_Allgather(&first, 1, MPI_INT, starts.data(), 1, MPI_INT, comm);
-   std::vector<char> all(size);
-   MPI_Allgatherv(mine.data(), count, MPI_CHAR, all.data(), counts.data(),
-                  starts.data(), MPI_CHAR, comm);
-   return all;
+   return GatherOnAll(mine, comm);
 }
 
 template <typename Keeps>
@@ -78,12 +73,14 @@ SparseMatrix CoupledRows(const HypreParMatrix &matrix, DroppedZeros dropped)
                   [&](int row, int column) { return column == first + row; });
       return rows;
    }
-   const int size = static_cast<int>(matrix.GetGlobalNumRows());
-   const std::vector<char> lone = FindLone(rows, first, size, matrix.GetComm());
+   const std::vector<int> lone = FindLone(rows, first, matrix.GetComm());
+   const auto is_lone = [&](int row)
+   { return std::binary_search(lone.begin(), lone.end(), row); };
    KeepEntries(rows,
-               [&](int row, int column) {
+               [&](int row, int column)
+               {
                   return column == first + row ||
-                         (!lone[first + row] && !lone[column]);
+                         (!is_lone(first + row) && !is_lone(column));
                });
    return rows;
 }

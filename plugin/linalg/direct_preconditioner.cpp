@@ -217,17 +217,16 @@ const SparseMatrix &DirectPreconditioner::Rows(const HypreParMatrix &matrix)
 const SparseMatrix &
 DirectPreconditioner::RowsOnFreedoms(const HypreParMatrix &matrix)
 {
-   if (!jacobian.Ties() || tables.count(&matrix) > 0)
-   {
-      return Rows(matrix);
-   }
    if (!tie_map)
    {
       tie_map = jacobian.MakeTieMap();
    }
-   const std::unique_ptr<HypreParMatrix> mapped = tie_map->Columns(matrix);
-   tables[&matrix] = RowTable(*mapped);
-   return *tables[&matrix];
+   std::unique_ptr<SparseMatrix> &table = tables[&matrix];
+   if (!table)
+   {
+      table = RowTable(tie_map ? *tie_map->Columns(matrix) : matrix);
+   }
+   return *table;
 }
 
 void DirectPreconditioner::AddDisplacements(const HypreParMatrix &matrix,

@@ -2,8 +2,6 @@
 
 #include "synovia/general/vector_entries.hpp"
 
-#include <vector>
-
 namespace synovia
 {
 
@@ -25,24 +23,6 @@ public:
       ScaleFrom(pressure_begin, factor, scaled);
       inner.Mult(scaled, y);
       ScaleFrom(pressure_begin, factor, y);
-   }
-   void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
-                  mfem::Array<mfem::Vector *> &y) const override
-   {
-      std::vector<mfem::Vector> all;
-      all.reserve(x.Size());
-      mfem::Array<const mfem::Vector *> from;
-      for (const mfem::Vector *one : x)
-      {
-         all.push_back(*one);
-         ScaleFrom(pressure_begin, factor, all.back());
-         from.Append(&all.back());
-      }
-      inner.ArrayMult(from, y);
-      for (mfem::Vector *one : y)
-      {
-         ScaleFrom(pressure_begin, factor, *one);
-      }
    }
 
 private:
@@ -66,11 +46,6 @@ public:
    void Mult(const mfem::Vector &x, mfem::Vector &y) const override
    {
       scaled.Mult(x, y);
-   }
-   void ArrayMult(const mfem::Array<const mfem::Vector *> &x,
-                  mfem::Array<mfem::Vector *> &y) const override
-   {
-      scaled.ArrayMult(x, y);
    }
 
 private:
