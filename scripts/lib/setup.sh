@@ -50,7 +50,7 @@ build()
    cmake -S "$SYNOVIA_SOURCE_DIR" -B "$directory" "${arguments[@]}" ||
       die "cannot configure $directory (see above)" \
          "If it was made with other tools, remove it and try again."
-   # ccache and clang compare the times of what a precompiled header includes.
+   # ccache compares the times of what a precompiled header includes.
    find "$directory" -name cmake_pch.hxx -exec touch -d 2000-01-01 {} +
    cmake --build "$directory" --target "$target" \
       --parallel "$(parallel_jobs)" ||
