@@ -99,6 +99,14 @@ public:
    /// Whether Tangent() is the same in all states.
    virtual bool IsLinear() const = 0;
 
+   /// Damps Tangent(), from the next Linearize() of this stage on, where a
+   /// @a direction of the displacement (true dofs) would deform bodies too
+   /// much, or damps it more; says whether it would anywhere, and can be damped
+   /// more.
+   virtual bool Damp(const BodyStage &, const mfem::Vector &) { return false; }
+   /// Damps it less.
+   virtual void EaseDamping() {}
+
    /// Brings Tangent() to the state of @a stage; says whether it changed.
    virtual bool Linearize(const BodyStage &stage) = 0;
 

@@ -47,8 +47,9 @@ TotalLagrangianForm::TotalLagrangianForm(
      growth(spaces.Pressure(), spaces.Displacement()),
      divergence(spaces.Pressure(), spaces.Displacement()),
      darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
-     tangent(spaces), permeability(spaces), u(spaces.Displacement().GetVSize()),
-     u0(u.Size()), p(spaces.Pressure().GetVSize())
+     damping(spaces, materials, element), tangent(spaces), permeability(spaces),
+     u(spaces.Displacement().GetVSize()), u0(u.Size()),
+     p(spaces.Pressure().GetVSize())
 {
    matrices.symmetric = false;
    if (matrices.stabilization)
@@ -134,6 +135,15 @@ void TotalLagrangianForm::ToLocal(const BodyStage &stage) const
    p.HostRead();
 }
 
+Vector TotalLagrangianForm::ToLocal(const Vector &displacement) const
+{
+   Vector local_displacement(u.Size());
+   spaces.Displacement().GetProlongationMatrix()->Mult(displacement,
+                                                       local_displacement);
+   local_displacement.HostRead();
+   return local_displacement;
+}
+
 FollowerLoads::State TotalLagrangianForm::ToLoads(const BodyStage &stage) const
 {
    spaces.Displacement().GetProlongationMatrix()->Mult(stage.u0, u0);
@@ -177,6 +187,7 @@ void TotalLagrangianForm::StartStage(const BodyStage &stage,
    }
    CarryOver(stage);
    balance.Forget();
+   damping.Clear();
 }
 
 void TotalLagrangianForm::CarryOver(const BodyStage &stage)

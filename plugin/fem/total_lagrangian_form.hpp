@@ -3,6 +3,7 @@
 #include "synovia/fem/body_element.hpp"
 #include "synovia/fem/body_form.hpp"
 #include "synovia/fem/corner_barrier.hpp"
+#include "synovia/fem/element_damping.hpp"
 #include "synovia/fem/element_permeability.hpp"
 #include "synovia/fem/element_tangent.hpp"
 #include "synovia/fem/evaluated_balance.hpp"
@@ -62,12 +63,16 @@ public:
                       mfem::Vector &mass) const override;
    std::string Validate(const BodyStage &stage) const override;
    bool IsLinear() const override { return false; }
+   bool Damp(const BodyStage &stage, const mfem::Vector &direction) override;
+   void EaseDamping() override { damping.Lower(); }
    bool Linearize(const BodyStage &stage) override;
    const VolumeMatrices &Tangent() const override { return matrices; }
 
 private:
    /// Sets u and p from true dofs.
    void ToLocal(const BodyStage &stage) const;
+   /// The local dofs of a displacement.
+   mfem::Vector ToLocal(const mfem::Vector &displacement) const;
    /// What loads are asked for at, after ToLocal().
    FollowerLoads::State ToLoads(const BodyStage &stage) const;
    /// Evaluates at a stage unless it was there last.
@@ -131,6 +136,7 @@ private:
    LocalMatrix divergence;
    LocalMatrix darcy;
    mutable BodyElement element;
+   ElementDamping damping;
    /// For tangents, where it has fewer points; else null.
    std::unique_ptr<BodyElement> straight_element;
    /// Null where elements have no need of one.

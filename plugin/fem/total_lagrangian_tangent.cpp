@@ -60,6 +60,12 @@ void TotalLagrangianForm::CorrectStraightTangent()
    }
 }
 
+bool TotalLagrangianForm::Damp(const BodyStage &stage, const Vector &direction)
+{
+   ToLocal(stage);
+   return damping.Raise(u, p, ToLocal(direction));
+}
+
 bool TotalLagrangianForm::Linearize(const BodyStage &stage)
 {
    ToLocal(stage);
@@ -72,6 +78,7 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
       if (!IsRigid(e))
       {
          LinearizeElement(e, stage.dt);
+         damping.AddTangent(e, u, p, tangent.stiffness);
          if (barrier)
          {
             barrier->Set(e, u, p);

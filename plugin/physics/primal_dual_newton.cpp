@@ -24,6 +24,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    set_changed = false;
    set_has_changed = false;
    has_stepped = false;
+   rejected = 0;
    largest_residual = 0.0;
    bool evaluated = false;
    // Since the last search of a solution.
@@ -88,9 +89,20 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       const bool solved = stage.from_start && PredictsSets()
                              ? SettleFirstSet(stage, norm, target, tolerance)
                              : SolveSystem(target, tolerance);
-      if (!solved || !TakeStep(stage, tolerance))
+      const StepOutcome outcome =
+         solved ? TakeStep(stage, tolerance) : StepOutcome::failed;
+      if (outcome == StepOutcome::failed)
       {
          return false;
+      }
+      if (!whole_step)
+      {
+         renewal.Restart();
+      }
+      if (outcome == StepOutcome::rejected)
+      {
+         evaluated = false;
+         continue;
       }
       has_stepped = true;
       set_changed = contact.Update(stage, ContactStiffness::bodies);
@@ -103,7 +115,8 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
          contact.SearchDrifted(stage, ContactStiffness::bodies, false);
       }
    }
-   return contact.FailIterations(options.max_newton);
+   return rejected > 0 ? record.report.Fail(rejected_for)
+                       : contact.FailIterations(options.max_newton);
 }
 
 bool PrimalDualNewton::SolveSystem(real_t target,
@@ -224,8 +237,9 @@ real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
    return norm;
 }
 
-bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
-                                const ResidualTolerance &tolerance)
+PrimalDualNewton::StepOutcome
+PrimalDualNewton::TakeStep(ImplicitStage &stage,
+                           const ResidualTolerance &tolerance)
 {
    const real_t least_share = options.tuning.newton.shortest_step;
    const Vector displacement = equations.DisplacementIn(step);
@@ -245,17 +259,42 @@ bool PrimalDualNewton::TakeStep(ImplicitStage &stage,
    const bool may_be_short = !from_start || !SupportsMove(stage, displacement);
    const real_t most =
       may_be_short ? contact.ShareBeforeOverlap(displacement) : 1.0;
-   Add(most, stage, multipliers);
+   real_t share = most;
+   Add(share, stage, multipliers);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
-   whole_step = obstacle.empty() && most == 1.0;
-   for (real_t share = 0.5 * most;
-        !obstacle.empty() && may_be_short && share >= least_share * most;
-        share *= 0.5)
+   const bool reaches = obstacle.empty();
+   whole_step = reaches && most == 1.0;
+   // A direction that strains elements too much is likely to be a wrong one: a
+   // part of it leads to where the next one is no better.
+   constexpr int most_rejected = 5;
+   const bool damps =
+      !reaches && !from_start && equations.Bodies().Damp(stage, displacement);
+   if (damps && rejected < most_rejected)
    {
+      Add(-share, stage, multipliers);
+      equations.EvaluateContact(stage);
+      rejected++;
+      rejected_for = obstacle;
+      return StepOutcome::rejected;
+   }
+   rejected = 0;
+   while (!obstacle.empty() && may_be_short &&
+          0.5 * share >= least_share * most)
+   {
+      share *= 0.5;
       Add(-share, stage, multipliers);
       obstacle = FindObstacle(stage, limit, tolerance);
    }
-   return obstacle.empty() || record.report.Fail(obstacle);
+   if (!obstacle.empty())
+   {
+      record.report.Fail(obstacle);
+      return StepOutcome::failed;
+   }
+   if (reaches)
+   {
+      equations.Bodies().EaseDamping();
+   }
+   return StepOutcome::taken;
 }
 
 PrimalDualNewton::MultiplierSteps

@@ -62,9 +62,19 @@ private:
    /// that is small.
    mfem::real_t AssessBalance(ImplicitStage &stage,
                               ResidualTolerance &tolerance);
+   enum class StepOutcome
+   {
+      taken,
+      /// Not taken; another one will be found in the same state, with damping.
+      rejected,
+      failed
+   };
    /// Adds as much of the Newton step as the bodies can take and as doesn't
-   /// make the residual grow; fails if that is next to nothing.
-   bool TakeStep(ImplicitStage &stage, const ResidualTolerance &tolerance);
+   /// make the residual grow. Where that is not all of it, rejects the step if
+   /// the bodies' tangents can be damped, a few times; fails if it is next to
+   /// nothing.
+   StepOutcome TakeStep(ImplicitStage &stage,
+                        const ResidualTolerance &tolerance);
    /// Whether a stage that begins at rest has supports that move, beside a
    /// step's @a displacement.
    bool SupportsMove(const ImplicitStage &stage,
@@ -91,6 +101,9 @@ private:
    MultiplierChanges changes;
    /// Whether any step was taken in this solve.
    bool has_stepped = false;
+   /// Steps one after the other, and why the last one was.
+   int rejected = 0;
+   std::string rejected_for;
    /// Of the line search in this solve, in tolerances.
    mfem::real_t largest_residual = 0.0;
    /// Whether the last decision changed the active set.

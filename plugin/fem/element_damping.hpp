@@ -1,0 +1,59 @@
+#pragma once
+
+#include "synovia/fem/body_element.hpp"
+#include "synovia/materials/material_table.hpp"
+
+#include <map>
+
+namespace synovia
+{
+
+/// Levenberg-Marquardt damping of single elements. Where soft tissue under
+/// pressure folds or bulges, its tangent is indefinite: Newton's direction
+/// leads away from where the forces push, or much too far, in a few elements,
+/// while all others are about to converge. The tangents of such elements get
+///
+///     c s int grad w : grad du
+///
+/// where s is the sum of the largest pressure in them and the solid's aggregate
+/// modulus, of the size of what makes them unstable, and c is their level: 1/4
+/// at first, four times as much whenever that does not suffice, half of it
+/// after each step that is taken. Residuals have nothing of it, so that
+/// solutions are the same without.
+class ElementDamping
+{
+public:
+   /// Borrows all arguments. @a element is set to others by all members that
+   /// take a state.
+   ElementDamping(BiphasicSpaces &spaces, const MaterialTable &materials,
+                  BodyElement &element);
+
+   /// Damps nothing.
+   void Clear() { levels.clear(); }
+   /// Damps the elements that a @a direction would strain too much, seen from
+   /// the state (u, p), or damps them more; says whether there are such on any
+   /// rank. Local dofs. Collective.
+   bool Raise(const mfem::Vector &u, const mfem::Vector &p,
+              const mfem::Vector &direction);
+   /// Damps all less, and those no longer that are damped least.
+   void Lower();
+   /// Adds to the @a stiffness of an element, by its number on this rank, at a
+   /// state.
+   void AddTangent(int number, const mfem::Vector &u, const mfem::Vector &p,
+                   mfem::DenseMatrix &stiffness) const;
+
+private:
+   /// The largest change of length, relative to the present one, in a direction
+   /// from the state (u, p).
+   mfem::real_t LargestStrain(int number, const mfem::Vector &u,
+                              const mfem::Vector &p,
+                              const mfem::Vector &direction) const;
+
+   BiphasicSpaces &spaces;
+   const MaterialTable &materials;
+   BodyElement &element;
+   /// Of damped elements, by number.
+   std::map<int, mfem::real_t> levels;
+};
+
+} // namespace synovia
