@@ -58,12 +58,13 @@ real_t ElementDamping::LargestStrain(int number, const Vector &u,
       {
          for (int b = 0; b < 3; b++)
          {
-            real_t present = 0.0;
+            real_t strain = 0.0;
             for (int c = 0; c < 3; c++)
             {
-               present += change[a][c] * cofactor[b][c];
+               strain += 0.5 * (change[a][c] * cofactor[b][c] +
+                                change[b][c] * cofactor[a][c]);
             }
-            squares += present * present;
+            squares += strain * strain;
          }
       }
       largest = std::max(largest, std::sqrt(squares) / J);
