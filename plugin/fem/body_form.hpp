@@ -30,7 +30,7 @@ struct BodyStage
 /// it.
 ///
 /// All members are collective. Momentum is in force, mass in volume of fluid in
-/// the stage.
+/// the stage. Large because parts of the balances are asked for one by one.
 class BodyForm
 {
 public:
@@ -99,10 +99,10 @@ public:
    /// Whether Tangent() is the same in all states.
    virtual bool IsLinear() const = 0;
 
-   /// Damps Tangent(), from the next Linearize() of this stage on, where a
-   /// @a direction of the displacement (true dofs) would deform bodies too
-   /// much, or damps it more; says whether it would anywhere, and can be damped
-   /// more.
+   /// Damps Tangent(), from the next Linearize() of this stage on, or damps it
+   /// more, where a @a direction of the displacement (true dofs) would deform
+   /// bodies too much; says whether there are such places that it was not
+   /// damped most at.
    virtual bool Damp(const BodyStage &, const mfem::Vector &) { return false; }
    /// Damps it less.
    virtual void EaseDamping() {}

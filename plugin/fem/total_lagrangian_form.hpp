@@ -30,6 +30,7 @@ namespace synovia
 /// the fluid in space, and J_0 what the stage begins with: fluid is conserved
 /// to round-off, whatever the step. K is an ElementPermeability. Elements of
 /// order 1 have a CornerBarrier.
+/// Large because BodyForm is.
 class TotalLagrangianForm : public BodyForm
 {
 public:

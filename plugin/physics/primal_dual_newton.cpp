@@ -101,6 +101,8 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       }
       if (outcome == StepOutcome::rejected)
       {
+         // max_newton counts what is taken.
+         iteration--;
          evaluated = false;
          continue;
       }
@@ -115,8 +117,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
          contact.SearchDrifted(stage, ContactStiffness::bodies, false);
       }
    }
-   return rejected > 0 ? record.report.Fail(rejected_for)
-                       : contact.FailIterations(options.max_newton);
+   return contact.FailIterations(options.max_newton);
 }
 
 bool PrimalDualNewton::SolveSystem(real_t target,
@@ -274,7 +275,6 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
       Add(-share, stage, multipliers);
       equations.EvaluateContact(stage);
       rejected++;
-      rejected_for = obstacle;
       return StepOutcome::rejected;
    }
    rejected = 0;

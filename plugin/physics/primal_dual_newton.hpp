@@ -101,9 +101,8 @@ private:
    MultiplierChanges changes;
    /// Whether any step was taken in this solve.
    bool has_stepped = false;
-   /// Steps one after the other, and why the last one was.
+   /// Steps one after the other.
    int rejected = 0;
-   std::string rejected_for;
    /// Of the line search in this solve, in tolerances.
    mfem::real_t largest_residual = 0.0;
    /// Whether the last decision changed the active set.
