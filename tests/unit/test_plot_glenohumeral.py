@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of scripts/plot_glenohumeral.py, on an output made up."""
 
-import contextlib
-import io
 import pathlib
 import sys
 import tempfile
@@ -18,6 +16,7 @@ sys.dont_write_bytecode = True
 import plot_glenohumeral  # noqa: E402
 import section  # noqa: E402
 from plot_glenohumeral import GLENOID_RADIUS, Joint  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synovia_output import Output  # noqa: E402
 from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
@@ -67,17 +66,11 @@ class PlotGlenohumeral(unittest.TestCase):
         self.addCleanup(self.temp.cleanup)
         self.out = pathlib.Path(self.temp.name) / "out"
 
-    def run_script(self, *arguments) -> tuple[int, str, str]:
-        said, complained = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), \
-                contextlib.redirect_stderr(complained):
-            status = plot_glenohumeral.main([str(a) for a in arguments])
-        return status, said.getvalue(), complained.getvalue()
-
     def test_all_pictures_are_drawn_and_findings_printed(self):
         write_output(self.out)
         pictures = self.out.parent / "pictures"
-        status, said, complained = self.run_script(self.out, "-o", pictures)
+        status, said, complained = run_main(
+            plot_glenohumeral.main, self.out, "-o", pictures)
         self.assertEqual((status, complained), (0, ""))
         panels = plot_glenohumeral.FIELDS | plot_glenohumeral.CURVES
         self.assertEqual({p.name for p in pictures.iterdir()},
@@ -121,10 +114,11 @@ class PlotGlenohumeral(unittest.TestCase):
 
     def test_what_is_missing_is_named(self):
         write_output(self.out, saved=20.0)
-        status, _, complained = self.run_script(self.out)
+        status, _, complained = run_main(plot_glenohumeral.main, self.out)
         self.assertEqual(status, 1)
         self.assertIn("no fields near t = 10, only at 20", complained)
-        status, _, complained = self.run_script(self.out / "nowhere")
+        status, _, complained = run_main(
+            plot_glenohumeral.main, self.out / "nowhere")
         self.assertEqual(status, 1)
         self.assertIn("there is no directory", complained)
 

@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of scripts/plot_indentation.py, on an output made from references."""
 
-import contextlib
-import io
 import pathlib
 import shutil
 import sys
@@ -18,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]
 sys.dont_write_bytecode = True
 import plot_indentation  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synovia_output import Output, OutputError, reference  # noqa: E402
 from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
@@ -63,16 +62,10 @@ class PlotIndentation(unittest.TestCase):
     def tearDownClass(cls):
         cls.temp.cleanup()
 
-    def run_script(self, *arguments: str) -> tuple[int, str, str]:
-        said, complained = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), \
-                contextlib.redirect_stderr(complained):
-            status = plot_indentation.main([str(a) for a in arguments])
-        return status, said.getvalue(), complained.getvalue()
-
     def test_all_pictures_are_drawn_and_numbers_compared(self):
         pictures = pathlib.Path(self.temp.name) / "pictures"
-        status, said, complained = self.run_script(self.out, "-o", pictures)
+        status, said, complained = run_main(
+            plot_indentation.main, self.out, "-o", pictures)
         self.assertEqual((status, complained), (0, ""))
         self.assertEqual({p.name for p in pictures.iterdir()},
                          {f"{n}.png" for n in plot_indentation.PANELS}
@@ -99,7 +92,8 @@ class PlotIndentation(unittest.TestCase):
         plot_indentation.plt.close(figure)
 
     def test_what_is_missing_is_named(self):
-        status, _, complained = self.run_script(self.out / "nowhere")
+        status, _, complained = run_main(
+            plot_indentation.main, self.out / "nowhere")
         self.assertEqual(status, 1)
         self.assertIn("there is no directory", complained)
         broken = pathlib.Path(self.temp.name) / "broken"
@@ -112,7 +106,7 @@ class PlotIndentation(unittest.TestCase):
             with self.subTest(remove):
                 shutil.copytree(self.out, broken)
                 (broken / remove).unlink()
-                status, _, complained = self.run_script(broken)
+                status, _, complained = run_main(plot_indentation.main, broken)
                 self.assertEqual(status, 1)
                 self.assertIn(text.format(broken), complained)
                 shutil.rmtree(broken)

@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of scripts/plot_knee.py, on an output made up of boxes."""
 
-import contextlib
-import io
 import pathlib
 import shutil
 import sys
@@ -26,6 +24,7 @@ import knee_views  # noqa: E402
 import plot_knee  # noqa: E402
 from figure_style import plt  # noqa: E402
 from knee_run import PAIRS, Knee  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synovia_output import Output  # noqa: E402
 from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
@@ -121,13 +120,6 @@ class PlotKnee(unittest.TestCase):
     def knee(self) -> Knee:
         return Knee(Output(self.out))
 
-    def run_script(self, *arguments) -> tuple[int, str, str]:
-        said, complained = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), \
-                contextlib.redirect_stderr(complained):
-            status = plot_knee.main([str(a) for a in arguments])
-        return status, said.getvalue(), complained.getvalue()
-
     def copy(self, *without: str) -> pathlib.Path:
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.place)) / "out"
         shutil.copytree(self.out, folder)
@@ -137,7 +129,7 @@ class PlotKnee(unittest.TestCase):
 
     def refused(self, folder: pathlib.Path, words: str) -> None:
         """One line, and no picture of what is wrong."""
-        status, said, complained = self.run_script(folder)
+        status, said, complained = run_main(plot_knee.main, folder)
         self.assertEqual((status, said), (1, ""))
         self.assertIn(words, complained)
         self.assertEqual(len(complained.splitlines()), 1, complained)
@@ -145,7 +137,8 @@ class PlotKnee(unittest.TestCase):
 
     def test_all_pictures_are_drawn_and_findings_printed(self):
         pictures = self.place / "pictures"
-        status, said, complained = self.run_script(self.out, "-o", pictures)
+        status, said, complained = run_main(
+            plot_knee.main, self.out, "-o", pictures)
         self.assertEqual((status, complained), (0, ""))
         self.assertEqual({p.name for p in pictures.iterdir()},
                          {f"{name}.png" for name in plot_knee.PANELS}

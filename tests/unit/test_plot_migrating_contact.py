@@ -2,8 +2,6 @@
 # processors: 1
 """Tests of scripts/plot_migrating_contact.py, on outputs made up."""
 
-import contextlib
-import io
 import pathlib
 import sys
 import tempfile
@@ -16,6 +14,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]
 sys.dont_write_bytecode = True
 import plot_migrating_contact  # noqa: E402
 from plot_migrating_contact import Run  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synovia_output import Output  # noqa: E402
 from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
@@ -59,17 +58,11 @@ class PlotMigratingContact(unittest.TestCase):
         self.out = self.folder / "out"
         write_output(self.out, 0.88)
 
-    def run_script(self, *arguments) -> tuple[int, str, str]:
-        said, complained = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), \
-                contextlib.redirect_stderr(complained):
-            status = plot_migrating_contact.main([str(a) for a in arguments])
-        return status, said.getvalue(), complained.getvalue()
-
     def test_both_runs_are_drawn(self):
         write_output(self.folder / "resting_contact", 0.2)
         pictures = self.folder / "pictures"
-        status, said, complained = self.run_script(self.out, "-o", pictures)
+        status, said, complained = run_main(
+            plot_migrating_contact.main, self.out, "-o", pictures)
         self.assertEqual((status, complained), (0, ""))
         self.assertEqual({p.name for p in pictures.iterdir()}, {
             f"{name}.png" for name in (
@@ -83,17 +76,18 @@ class PlotMigratingContact(unittest.TestCase):
                       said)
 
     def test_other_may_be_elsewhere_or_missing(self):
-        status, said, _ = self.run_script(self.out)
+        status, said, _ = run_main(plot_migrating_contact.main, self.out)
         self.assertEqual(status, 0)
         self.assertNotIn("resting", said)
         self.assertFalse((self.out / "pressure_resting.png").exists())
         elsewhere = self.folder / "elsewhere"
         write_output(elsewhere, 0.3)
-        status, said, _ = self.run_script(self.out, elsewhere)
+        status, said, _ = run_main(
+            plot_migrating_contact.main, self.out, elsewhere)
         self.assertEqual(status, 0)
         self.assertIn("resting, last middle", said)
-        status, _, complained = self.run_script(self.out,
-                                                self.folder / "nowhere")
+        status, _, complained = run_main(
+            plot_migrating_contact.main, self.out, self.folder / "nowhere")
         self.assertEqual(status, 1)
         self.assertIn("there is no directory", complained)
 
@@ -106,7 +100,7 @@ class PlotMigratingContact(unittest.TestCase):
         history = self.out / "history.csv"
         header = history.read_text().splitlines()[0]
         history.write_text(header + "\n" + "1,0.9,0.1,0,0,0\n")
-        status, _, complained = self.run_script(self.out)
+        status, _, complained = run_main(plot_migrating_contact.main, self.out)
         self.assertEqual(status, 1)
         self.assertIn("makes no stroke", complained)
 

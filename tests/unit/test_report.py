@@ -3,9 +3,7 @@
 """Tests of scripts/report.py, on outputs made up, whole and damaged."""
 
 import base64
-import contextlib
 import html.parser
-import io
 import pathlib
 import re
 import shutil
@@ -25,6 +23,7 @@ import report_history  # noqa: E402
 import report_setup  # noqa: E402
 from report_log import RunLog  # noqa: E402
 from report_units import Units  # noqa: E402
+from run_main import run_main  # noqa: E402
 from synovia_output import Table  # noqa: E402
 from synthetic_output import box, write_collection, write_csv  # noqa: E402
 
@@ -152,11 +151,8 @@ class Report(unittest.TestCase):
 
     def run_script(self, *arguments) -> tuple[int, str]:
         """The exit status, and what went to stderr."""
-        complained = io.StringIO()
-        with contextlib.redirect_stdout(io.StringIO()), \
-                contextlib.redirect_stderr(complained):
-            status = report.main([str(a) for a in arguments])
-        return status, complained.getvalue()
+        status, _, complained = run_main(report.main, *arguments)
+        return status, complained
 
     def copy(self, *without: str) -> pathlib.Path:
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.place)) / "out"
