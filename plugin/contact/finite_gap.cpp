@@ -1,6 +1,7 @@
 #include "synovia/contact/finite_gap.hpp"
 #include "synovia/contact/bearing_shares.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/contact/point_range.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 #include "synovia/general/reduce.hpp"
 
@@ -96,12 +97,9 @@ void FiniteGap::Assemble()
    std::vector<Triplet> jump_entries;
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   // Points come face by face, and source face by source face.
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &pair : GroupByFacePair(pairing.Points()))
    {
-      const PairedPoint &first = points[begin];
-      at.Evaluate(first);
+      at.Evaluate(pair.First());
       const FaceDofs &own = at.DestinationDofs();
       const FaceDofs &other = at.SourceDofs();
       const std::size_t rows = own.vertices.size();
@@ -109,11 +107,8 @@ void FiniteGap::Assemble()
       VertexBlock own_jump(rows, own.pressure.size());
       VertexBlock other_gap(rows, other.displacement.size());
       VertexBlock other_jump(rows, other.pressure.size());
-      for (; end < points.size() && points[end].face == first.face &&
-             points[end].source == first.source;
-           end++)
+      for (const PairedPoint &point : pair)
       {
-         const PairedPoint &point = points[end];
          at.Evaluate(point);
          phi = at.Multiplier();
          phi *= point.area;
@@ -185,30 +180,27 @@ void FiniteGap::AssembleCoverage()
    operators.face_coverage.clear();
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &on_face : GroupByFace(pairing.Points()))
    {
-      const int face = points[begin].face;
       FaceCoverage covered;
-      covered.face = face;
+      covered.face = on_face.First().face;
       real_t hit_area = 0.0;
-      for (; end < points.size() && points[end].face == face; end++)
+      for (const PairedPoint &point : on_face)
       {
-         hit_area += points[end].area;
+         hit_area += point.area;
       }
       // The sum may be below zero for faces that are nearly along the normals.
       hit_area = std::max<real_t>(hit_area, 0.0);
-      for (std::size_t i = begin; i < end;)
+      for (const PointRange &pair : GroupBySource(on_face))
       {
-         const int source = points[i].source;
-         at.Evaluate(points[i]);
+         at.Evaluate(pair.First());
          VertexBlock block(at.DestinationDofs().vertices.size(),
                            at.SourceDofs().vertices.size());
-         for (; i < end && points[i].source == source; i++)
+         for (const PairedPoint &point : pair)
          {
-            at.Evaluate(points[i]);
+            at.Evaluate(point);
             phi = at.Multiplier();
-            phi *= points[i].area;
+            phi *= point.area;
             const bool square =
                at.DestinationDofs().geometry == Geometry::SQUARE;
             sizes.Add(at.Vertices(), std::sqrt((square ? 1.0 : 2.0) * hit_area),

@@ -1,5 +1,6 @@
 #include "synovia/contact/displacement_change.hpp"
 #include "synovia/contact/finite_gap.hpp"
+#include "synovia/contact/point_range.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 
 namespace synovia
@@ -144,11 +145,9 @@ SlidingMaps FiniteGap::FindSlidingMaps() const
    std::array<VertexSums, 3> means{VertexSums(m), VertexSums(m), VertexSums(m)};
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &pair : GroupByFacePair(pairing.Points()))
    {
-      const PairedPoint &first = points[begin];
-      at.Evaluate(first);
+      at.Evaluate(pair.First());
       const FaceDofs &own = at.DestinationDofs();
       const FaceDofs &other = at.SourceDofs();
       const std::size_t rows = own.vertices.size();
@@ -157,11 +156,8 @@ SlidingMaps FiniteGap::FindSlidingMaps() const
       std::vector<VertexBlock> other_distance(
          3, VertexBlock(rows, other.displacement.size()));
       VertexBlock own_pressure(rows, own.pressure.size());
-      for (; end < points.size() && points[end].face == first.face &&
-             points[end].source == first.source;
-           end++)
+      for (const PairedPoint &point : pair)
       {
-         const PairedPoint &point = points[end];
          at.Evaluate(point);
          phi = at.Multiplier();
          phi *= point.area;
@@ -217,18 +213,14 @@ FiniteGap::FindSlidingChanges(const Vector &p,
    StretchChange stretch(u);
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &pair : GroupByFacePair(pairing.Points()))
    {
-      const PairedPoint &first = points[begin];
-      const DeformedFace &face = pairing.Destination().Faces()[first.face];
-      at.Evaluate(first);
+      const DeformedFace &face =
+         pairing.Destination().Faces()[pair.First().face];
+      at.Evaluate(pair.First());
       FacePairSliding change(at);
-      for (; end < points.size() && points[end].face == first.face &&
-             points[end].source == first.source;
-           end++)
+      for (const PairedPoint &point : pair)
       {
-         const PairedPoint &point = points[end];
          at.EvaluateWithSlopes(point);
          phi = at.Multiplier();
          phi *= point.area;

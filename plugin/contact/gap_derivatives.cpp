@@ -1,5 +1,6 @@
 #include "synovia/contact/gap_derivatives.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/contact/point_range.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 
 namespace synovia
@@ -153,17 +154,12 @@ void GapDerivatives::Integrate()
 {
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &pair : GroupByFacePair(pairing.Points()))
    {
-      const PairedPoint &first = points[begin];
-      at.Evaluate(first);
+      at.Evaluate(pair.First());
       FacePairChange change(at);
-      for (; end < points.size() && points[end].face == first.face &&
-             points[end].source == first.source;
-           end++)
+      for (const PairedPoint &point : pair)
       {
-         const PairedPoint &point = points[end];
          at.EvaluateWithSlopes(point);
          const real_t t = Interpolate(at.Multiplier(), at.Vertices(), traction);
          const real_t q = Interpolate(at.Multiplier(), at.Vertices(), flux);

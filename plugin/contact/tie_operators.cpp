@@ -1,5 +1,6 @@
 #include "synovia/contact/tie_operators.hpp"
 #include "synovia/contact/paired_point_shapes.hpp"
+#include "synovia/contact/point_range.hpp"
 #include "synovia/contact/rim_vertices.hpp"
 #include "synovia/contact/vertex_blocks.hpp"
 #include "synovia/general/reduce.hpp"
@@ -89,12 +90,9 @@ TieSums::TieSums(const SurfacePairing &pairing)
    VertexSums sizes(m);
    PairedPointShapes at(pairing);
    Vector phi;
-   const std::vector<PairedPoint> &points = pairing.Points();
-   // Points come face by face, and source face by source face.
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &pair : GroupByFacePair(pairing.Points()))
    {
-      const PairedPoint &first = points[begin];
-      at.Evaluate(first);
+      at.Evaluate(pair.First());
       const FaceDofs &own = at.DestinationDofs();
       const FaceDofs &other = at.SourceDofs();
       const std::size_t rows = own.vertices.size();
@@ -104,11 +102,8 @@ TieSums::TieSums(const SurfacePairing &pairing)
          3, VertexBlock(rows, other.displacement.size()));
       VertexBlock own_pressure(rows, own.pressure.size());
       VertexBlock other_pressure(rows, other.pressure.size());
-      for (; end < points.size() && points[end].face == first.face &&
-             points[end].source == first.source;
-           end++)
+      for (const PairedPoint &point : pair)
       {
-         const PairedPoint &point = points[end];
          at.Evaluate(point);
          phi = at.Multiplier();
          phi *= point.area;
@@ -130,19 +125,18 @@ TieSums::TieSums(const SurfacePairing &pairing)
       own_pressure.AppendTo(-1.0, own.vertices, own.pressure, pressure_jump);
       other_pressure.AppendTo(1.0, own.vertices, other.pressure, pressure_jump);
    }
-   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+   for (const PointRange &on_face : GroupByFace(pairing.Points()))
    {
-      const int face = points[begin].face;
       real_t hit = 0.0;
-      for (; end < points.size() && points[end].face == face; end++)
+      for (const PairedPoint &point : on_face)
       {
-         hit += points[end].area;
+         hit += point.area;
       }
-      for (std::size_t i = begin; i < end; i++)
+      for (const PairedPoint &point : on_face)
       {
-         at.Evaluate(points[i]);
+         at.Evaluate(point);
          phi = at.Multiplier();
-         phi *= points[i].area;
+         phi *= point.area;
          const bool square = at.DestinationDofs().geometry == Geometry::SQUARE;
          sizes.Add(at.Vertices(), std::sqrt((square ? 1.0 : 2.0) * hit), phi);
       }
