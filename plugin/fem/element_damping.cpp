@@ -118,7 +118,7 @@ void ElementDamping::AddTangent(int number, const Vector &u, const Vector &p,
       pressure = std::max(pressure, std::abs(element.Pressure(q)));
    }
    const real_t stress =
-      damped->second * (pressure + material.solid->AggregateModulus());
+      damped->second * (pressure + 2.0 * material.solid->ShearModulus());
    const DenseMatrix &gradients = element.Gradients();
    const int nodes = gradients.Height();
    for (int q = 0; q < element.Points(); q++)

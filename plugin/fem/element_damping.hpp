@@ -15,11 +15,11 @@ namespace synovia
 ///
 ///     c s int grad w : grad du
 ///
-/// where s is the sum of the largest pressure in them and the solid's aggregate
-/// modulus, of the size of what makes them unstable, and c is their level: 1/4
-/// at first, four times as much whenever that does not suffice, half of it
-/// after each step that is taken. Residuals have nothing of it, so that
-/// solutions are the same without.
+/// where s is the sum of the largest pressure in them and twice the solid's
+/// shear modulus, of the size of what makes them unstable, and c is their
+/// level: 1/4 at first, four times as much whenever that does not suffice, half
+/// of it after each whole step. Residuals have nothing of it, so that solutions
+/// are the same without.
 class ElementDamping
 {
 public:

@@ -177,7 +177,7 @@ struct FactorizationTuning
 struct MultigridTuning
 {
    /// Iterations after which FGMRES restarts; each keeps two vectors.
-   int restart = 100;
+   int restart = 200;
    /// hypre's threshold of strong couplings in displacement. Larger: sparser
    /// operators on coarse levels, and more iterations.
    mfem::real_t strong_threshold = 0.25;

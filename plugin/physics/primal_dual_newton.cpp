@@ -260,28 +260,24 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
    const bool may_be_short = !from_start || !SupportsMove(stage, displacement);
    const real_t most =
       may_be_short ? contact.ShareBeforeOverlap(displacement) : 1.0;
-   real_t share = most;
-   Add(share, stage, multipliers);
+   Add(most, stage, multipliers);
    std::string obstacle = FindObstacle(stage, limit, tolerance);
    const bool reaches = obstacle.empty();
    whole_step = reaches && most == 1.0;
-   // A direction that strains elements too much is likely to be a wrong one: a
-   // part of it leads to where the next one is no better.
-   constexpr int most_rejected = 5;
-   const bool damps =
-      !reaches && !from_start && equations.Bodies().Damp(stage, displacement);
-   if (damps && rejected < most_rejected)
+   if (!reaches && !from_start)
    {
-      Add(-share, stage, multipliers);
-      equations.EvaluateContact(stage);
-      rejected++;
-      return StepOutcome::rejected;
+      Add(-most, stage, multipliers);
+      if (Rejects(stage, displacement))
+      {
+         return StepOutcome::rejected;
+      }
+      Add(most, stage, multipliers);
    }
    rejected = 0;
-   while (!obstacle.empty() && may_be_short &&
-          0.5 * share >= least_share * most)
+   for (real_t share = 0.5 * most;
+        !obstacle.empty() && may_be_short && share >= least_share * most;
+        share *= 0.5)
    {
-      share *= 0.5;
       Add(-share, stage, multipliers);
       obstacle = FindObstacle(stage, limit, tolerance);
    }
@@ -295,6 +291,22 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
       equations.Bodies().EaseDamping();
    }
    return StepOutcome::taken;
+}
+
+bool PrimalDualNewton::Rejects(const ImplicitStage &stage,
+                               const Vector &displacement)
+{
+   // A direction that strains elements too much is likely to be a wrong one: a
+   // part of it leads to where the next one is no better.
+   constexpr int most_rejected = 5;
+   if (rejected == most_rejected ||
+       !equations.Bodies().Damp(stage, displacement))
+   {
+      return false;
+   }
+   equations.EvaluateContact(stage);
+   rejected++;
+   return true;
 }
 
 PrimalDualNewton::MultiplierSteps

@@ -75,6 +75,9 @@ private:
    /// nothing.
    StepOutcome TakeStep(ImplicitStage &stage,
                         const ResidualTolerance &tolerance);
+   /// Whether a step that can't be taken whole is rejected, with its
+   /// @a displacement from @a stage: damps what makes it too large.
+   bool Rejects(const ImplicitStage &stage, const mfem::Vector &displacement);
    /// Whether a stage that begins at rest has supports that move, beside a
    /// step's @a displacement.
    bool SupportsMove(const ImplicitStage &stage,
