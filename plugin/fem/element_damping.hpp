@@ -43,8 +43,8 @@ public:
                    mfem::DenseMatrix &stiffness) const;
 
 private:
-   /// The largest norm of the symmetric part of grad (direction) F^-1, seen from
-   /// the state (u, p).
+   /// The largest norm of the symmetric part of grad (direction) F^-1, seen
+   /// from the state (u, p).
    mfem::real_t LargestStrain(int number, const mfem::Vector &u,
                               const mfem::Vector &p,
                               const mfem::Vector &direction) const;
