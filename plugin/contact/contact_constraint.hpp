@@ -47,6 +47,13 @@ public:
                          mfem::Vector &gap, mfem::Vector &jump,
                          mfem::Vector &pressure) = 0;
 
+   /// Remembers what the surfaces hit at the last Evaluate(), for GoBack().
+   virtual void Remember() {}
+   /// Lets them hit what they did at the last Remember(), since when there was
+   /// no search: what they hit depends on the displacements that were evaluated
+   /// in between. An Evaluate() must follow.
+   virtual void GoBack() {}
+
    /// Brings the derivatives among Factors() to the last Evaluate(), for
    /// pressure @a p (true dofs), nodal forces area x traction and nodal flows
    /// area x flux, in the steps of GapDerivatives, of which the second is not

@@ -52,6 +52,8 @@ public:
    }
    bool KeepsFound() const { return constraint->KeepsFound(); }
    bool Search(const mfem::Vector &u);
+   void Remember() { constraint->Remember(); }
+   void GoBack() { constraint->GoBack(); }
    bool HasDrifted() { return constraint->HasDrifted(); }
    /// Brings the derivatives among Factors() to the last tractions and fluxes,
    /// and pressures @a p, in the steps of ContactConstraint.

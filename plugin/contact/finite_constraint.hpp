@@ -31,6 +31,8 @@ public:
    void Evaluate(const mfem::Vector &u, const mfem::Vector &p,
                  mfem::Vector &gap, mfem::Vector &jump,
                  mfem::Vector &pressure) override;
+   void Remember() override { gaps->Remember(); }
+   void GoBack() override { gaps->GoBack(); }
    void StartLinearize(const mfem::Vector &p, const mfem::Vector &nodal_force,
                        const mfem::Vector &nodal_flow) override;
    void IntegrateDerivatives() override;

@@ -57,6 +57,14 @@ void FiniteGap::Follow()
    Assemble();
 }
 
+void FiniteGap::GoBack()
+{
+   if (pairing.GoBack())
+   {
+      CoverRim();
+   }
+}
+
 Vector FiniteGap::CoveredArea(const FaceShares &shares) const
 {
    const ContactSurface &destination = pairing.Destination();

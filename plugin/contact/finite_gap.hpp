@@ -51,6 +51,11 @@ public:
    KeptBearing FindBearing(mfem::real_t bearing_angle) const;
    /// Lets the points of the last search follow to where the surfaces are now.
    void Follow();
+   /// Remembers what the points hit now, for GoBack().
+   void Remember() { pairing.Remember(); }
+   /// Lets the points hit what they did at the last Remember(), since when
+   /// there was no Search(). Follow() comes next.
+   void GoBack();
    /// Where the surfaces were last, once they are made.
    const GapDerivatives &Derivatives() const { return derivatives; }
    GapDerivatives &Derivatives() { return derivatives; }

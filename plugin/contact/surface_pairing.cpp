@@ -134,6 +134,7 @@ void SurfacePairing::AskForFaces(const SurfaceSearch &search)
    halo.Ask(search, names);
    halo.UpdateShapes();
    FindNeighbors();
+   asked_since = true;
 }
 
 void SurfacePairing::FindNeighbors()
@@ -267,6 +268,26 @@ bool SurfacePairing::Follow()
       FindOtherFaces(leaving);
    }
    return any;
+}
+
+void SurfacePairing::Remember()
+{
+   remembered_points = points;
+   remembered_drift = drifted;
+   asked_since = false;
+}
+
+bool SurfacePairing::GoBack()
+{
+   points = remembered_points;
+   drifted = remembered_drift;
+   const bool others = asked_since;
+   if (others)
+   {
+      AskForFaces(SurfaceSearch(source, options.search_radius));
+      asked_since = false;
+   }
+   return others;
 }
 
 void SurfacePairing::FindOtherFaces(const std::vector<int> &leaving)

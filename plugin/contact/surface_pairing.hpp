@@ -66,6 +66,12 @@ public:
    /// Finds what the points hit now that the surfaces have moved; says whether
    /// any left the source, so that there may be fewer. Collective.
    bool Follow();
+   /// Remembers what the points hit now, for GoBack().
+   void Remember();
+   /// Lets the points hit what they did at the last Remember(), since when
+   /// there was no Segment(): Follow(), which comes next, depends on the way.
+   /// Says whether there may have been fewer. Collective.
+   bool GoBack();
    /// Whether points hit other faces than those that they were made for, or
    /// none, so that segments don't follow the source's faces any more.
    /// Collective.
@@ -119,6 +125,11 @@ private:
    std::vector<FaceName> names;
    std::vector<std::vector<int>> neighbors;
    bool drifted = false;
+   /// At the last Remember().
+   std::vector<PairedPoint> remembered_points;
+   bool remembered_drift = false;
+   /// Whether faces have been asked for since.
+   bool asked_since = false;
 };
 
 /// The vector that SurfaceNormals give between the vertices, not of unit

@@ -104,6 +104,22 @@ void StageContact::Search(const ImplicitStage &stage)
    }
 }
 
+void StageContact::Remember()
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->Remember();
+   }
+}
+
+void StageContact::GoBack()
+{
+   for (ContactPair *pair : pairs)
+   {
+      pair->GoBack();
+   }
+}
+
 bool StageContact::SearchDrifted(ImplicitStage &stage,
                                  ContactStiffness stiffness, bool settled)
 {

@@ -52,6 +52,11 @@ public:
    /// have found look only where the active set has @a settled.
    bool SearchDrifted(ImplicitStage &stage, ContactStiffness stiffness,
                       bool settled);
+   /// Remembers what surfaces hit as they were evaluated last, for GoBack().
+   void Remember();
+   /// Lets them hit that again, once trial states have been evaluated; the
+   /// contact must be evaluated next.
+   void GoBack();
    /// Whether vertices of a pair began or ceased to slide at its last update.
    bool SlidingChanged() const;
    /// Whether there is friction in any of the pairs.

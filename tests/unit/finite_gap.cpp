@@ -254,6 +254,38 @@ TEST_CASE("Derivatives of gap, jump, forces and flows agree with differences")
    }
 }
 
+TEST_CASE("Trial states leave no trace in what points hit")
+{
+   const Shape shape = AnyShape();
+   INFO(ToText(shape));
+   Bodies bodies(shape);
+   bodies.Search(bodies.Displacement(0.02, 0.0));
+   const Vector u = bodies.Displacement(0.03, 0.15);
+   bodies.Follow(u);
+   const Vector gap(bodies.gap.Gap());
+   const Vector area(bodies.gap.Operators().area);
+   const std::size_t points = bodies.gap.Pairing().Points().size();
+
+   bodies.gap.Remember();
+   bodies.Follow(bodies.Displacement(0.03, 0.9));
+   const int lost =
+      static_cast<int>(points - bodies.gap.Pairing().Points().size());
+   CHECK(SumOverRanks(lost, MPI_COMM_WORLD) > 0);
+   for (int time = 0; time < 2; time++)
+   {
+      bodies.gap.GoBack();
+      bodies.Follow(u);
+      CHECK(bodies.gap.Pairing().Points().size() == points);
+      CHECK(bodies.gap.Pairing().HasDrifted());
+      for (int j = 0; j < gap.Size(); j++)
+      {
+         CHECK(bodies.gap.Gap()[j] == Approx(gap[j]).margin(1e-12));
+         CHECK(bodies.gap.Operators().area[j] == Approx(area[j]).margin(1e-12));
+      }
+      bodies.Follow(bodies.Displacement(0.0, -0.9));
+   }
+}
+
 TEST_CASE("Nodal forces and their moments are in balance")
 {
    const Shape shape = AnyShape();
