@@ -106,6 +106,9 @@ public:
    virtual bool Damp(const BodyStage &, const mfem::Vector &) { return false; }
    /// Damps it less.
    virtual void EaseDamping() {}
+   /// Adds what the damping in Tangent() resists a @a displacement with to
+   /// @a forces (true dofs). Collective.
+   virtual void AddDampingForces(const mfem::Vector &, mfem::Vector &) const {}
 
    /// Brings Tangent() to the state of @a stage; says whether it changed.
    virtual bool Linearize(const BodyStage &stage) = 0;

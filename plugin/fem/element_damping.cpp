@@ -103,7 +103,7 @@ void ElementDamping::Lower()
 }
 
 void ElementDamping::AddTangent(int number, const Vector &u, const Vector &p,
-                                DenseMatrix &stiffness) const
+                                DenseMatrix &stiffness)
 {
    const auto damped = levels.find(number);
    if (damped == levels.end())
@@ -121,6 +121,9 @@ void ElementDamping::AddTangent(int number, const Vector &u, const Vector &p,
       damped->second * (pressure + 2.0 * material.solid->ShearModulus());
    const DenseMatrix &gradients = element.Gradients();
    const int nodes = gradients.Height();
+   DenseMatrix &matrix = matrices[number];
+   matrix.SetSize(3 * nodes);
+   matrix = 0.0;
    for (int q = 0; q < element.Points(); q++)
    {
       const real_t weight = stress * std::abs(element.Weight(q));
@@ -135,10 +138,26 @@ void ElementDamping::AddTangent(int number, const Vector &u, const Vector &p,
             }
             for (int a = 0; a < 3; a++)
             {
-               stiffness(a * nodes + i, a * nodes + j) += weight * product;
+               matrix(a * nodes + i, a * nodes + j) += weight * product;
             }
          }
       }
+   }
+   stiffness += matrix;
+}
+
+void ElementDamping::AddForces(const Vector &displacement, Vector &forces) const
+{
+   Array<int> dofs;
+   Vector moved;
+   Vector resistance;
+   for (const auto &[number, matrix] : matrices)
+   {
+      spaces.Displacement().GetElementVDofs(number, dofs);
+      displacement.GetSubVector(dofs, moved);
+      resistance.SetSize(dofs.Size());
+      matrix.Mult(moved, resistance);
+      forces.AddElementVector(dofs, resistance);
    }
 }
 

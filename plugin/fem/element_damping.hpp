@@ -18,8 +18,8 @@ namespace synovia
 /// where s is the sum of the largest pressure in them and twice the solid's
 /// shear modulus, of the size of what makes them unstable, and c is their
 /// level: 1/4 at first, four times as much whenever that does not suffice, half
-/// of it after each whole step. Residuals have nothing of it, so that solutions
-/// are the same without.
+/// of it after each whole step. The balance has nothing of it, so that
+/// solutions are the same without.
 class ElementDamping
 {
 public:
@@ -37,10 +37,15 @@ public:
               const mfem::Vector &direction);
    /// Damps all less, and those no longer that are damped least.
    void Lower();
+   /// Begins a tangent, to which nothing is added yet.
+   void StartTangent() { matrices.clear(); }
    /// Adds to the @a stiffness of an element, by its number on this rank, at a
    /// state.
    void AddTangent(int number, const mfem::Vector &u, const mfem::Vector &p,
-                   mfem::DenseMatrix &stiffness) const;
+                   mfem::DenseMatrix &stiffness);
+   /// Adds to @a forces what has been added to the tangent since it was begun,
+   /// times a @a displacement. Local dofs.
+   void AddForces(const mfem::Vector &displacement, mfem::Vector &forces) const;
 
 private:
    /// The largest norm of the symmetric part of grad (direction) F^-1, seen
@@ -54,6 +59,8 @@ private:
    BodyElement &element;
    /// Of damped elements, by number.
    std::map<int, mfem::real_t> levels;
+   /// In the tangent, by number of the element.
+   std::map<int, mfem::DenseMatrix> matrices;
 };
 
 } // namespace synovia

@@ -274,6 +274,17 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage,
    AddStabilization(stage, evaluated.mass);
 }
 
+void TotalLagrangianForm::AddDampingForces(const Vector &displacement,
+                                           Vector &forces) const
+{
+   Vector local_forces(u.Size());
+   local_forces = 0.0;
+   damping.AddForces(ToLocal(displacement), local_forces);
+   Vector sums;
+   SumIntoTrueDofs(spaces.Displacement(), local_forces, sums);
+   forces += sums;
+}
+
 void TotalLagrangianForm::AddLocalLoads(const BodyStage &stage, Vector &forces,
                                         Vector &inflow) const
 {

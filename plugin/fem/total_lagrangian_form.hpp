@@ -66,6 +66,8 @@ public:
    bool IsLinear() const override { return false; }
    bool Damp(const BodyStage &stage, const mfem::Vector &direction) override;
    void EaseDamping() override { damping.Lower(); }
+   void AddDampingForces(const mfem::Vector &displacement,
+                         mfem::Vector &forces) const override;
    bool Linearize(const BodyStage &stage) override;
    const VolumeMatrices &Tangent() const override { return matrices; }
 

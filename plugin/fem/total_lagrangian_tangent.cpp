@@ -73,6 +73,7 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
    {
       matrix->Clear();
    }
+   damping.StartTangent();
    for (int e = 0; e < spaces.GetMesh().GetNE(); e++)
    {
       if (!IsRigid(e))

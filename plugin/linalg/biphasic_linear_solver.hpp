@@ -6,6 +6,7 @@
 #include "synovia/linalg/multiplier_system.hpp"
 #include "synovia/linalg/work_counts.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace synovia
@@ -105,6 +106,15 @@ struct ResidualTolerance
    mfem::real_t mass = 0.0;
    /// Lower bound for the tolerance of the mass.
    mfem::real_t least_mass = 0.0;
+   /// That of the mass before it was tightened.
+   mfem::real_t untightened_mass = 0.0;
+
+   ResidualTolerance Untightened() const
+   {
+      ResidualTolerance untightened(*this);
+      untightened.mass = std::max(mass, untightened_mass);
+      return untightened;
+   }
 };
 
 /// Where the iterations of a linear solve begin: at zero, or at the solution

@@ -213,6 +213,18 @@ real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
    return linear.Norm(residual, tolerance);
 }
 
+real_t PrimalDualNewton::AssessTrial(const ImplicitStage &stage, real_t share,
+                                     const ResidualTolerance &tolerance)
+{
+   contact.SetTractions(ContactStiffness::bodies);
+   residual = body_imbalance;
+   residual.GetBlock(0).Add(share, damping);
+   equations.AddContactImbalance(stage, residual.GetBlock(0),
+                                 residual.GetBlock(1));
+   equations.MakeResidual(stage, residual);
+   return linear.Norm(residual, tolerance.Untightened());
+}
+
 real_t PrimalDualNewton::AssessBalance(ImplicitStage &stage,
                                        ResidualTolerance &tolerance)
 {
@@ -251,22 +263,27 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
    const bool from_start = stage.from_start;
    const real_t limit = from_start || contact.SlidingChanged()
                            ? std::numeric_limits<real_t>::infinity()
-                           : Assess(stage, ContactStiffness::bodies, tolerance);
+                           : AssessTrial(stage, 0.0, tolerance);
    if (std::isfinite(limit))
    {
       largest_residual = std::max(largest_residual, limit);
    }
+   damping.SetSize(displacement.Size());
+   damping = 0.0;
+   equations.Bodies().AddDampingForces(displacement, damping);
    stage.from_start = false;
    const bool may_be_short = !from_start || !SupportsMove(stage, displacement);
    const real_t most =
       may_be_short ? contact.ShareBeforeOverlap(displacement) : 1.0;
+   contact.Remember();
    Add(most, stage, multipliers);
-   std::string obstacle = FindObstacle(stage, limit, tolerance);
+   std::string obstacle = FindObstacle(stage, most, limit, tolerance);
    const bool reaches = obstacle.empty();
    whole_step = reaches && most == 1.0;
    if (!reaches && !from_start)
    {
       Add(-most, stage, multipliers);
+      contact.GoBack();
       if (Rejects(stage, displacement))
       {
          return StepOutcome::rejected;
@@ -279,7 +296,8 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
         share *= 0.5)
    {
       Add(-share, stage, multipliers);
-      obstacle = FindObstacle(stage, limit, tolerance);
+      contact.GoBack();
+      obstacle = FindObstacle(stage, share, limit, tolerance);
    }
    if (!obstacle.empty())
    {
@@ -357,7 +375,7 @@ void PrimalDualNewton::Add(real_t share, ImplicitStage &stage,
 }
 
 std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
-                                           real_t norm,
+                                           real_t share, real_t norm,
                                            const ResidualTolerance &tolerance)
 {
    // Newton's method may have to climb a little before it falls; what is next
@@ -370,7 +388,7 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
    }
    equations.EvaluateContact(stage);
    EvaluateBodies(stage);
-   const real_t now = Assess(stage, ContactStiffness::bodies, tolerance);
+   const real_t now = AssessTrial(stage, share, tolerance);
    // What slides goes farther than the bodies' own increments.
    const real_t growth = tuning.residual_growth *
                          (contact.HasFriction() ? tuning.sliding_growth : 1.0);

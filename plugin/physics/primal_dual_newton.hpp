@@ -58,6 +58,11 @@ private:
    /// Sets the residual with tractions of @a stiffness; returns its norm.
    mfem::real_t Assess(const ImplicitStage &stage, ContactStiffness stiffness,
                        const ResidualTolerance &tolerance);
+   /// The same for the line search, after a @a share of the step: with the
+   /// share of what damping resists it with, as the linear system has it, and
+   /// of the tolerance before it was tightened.
+   mfem::real_t AssessTrial(const ImplicitStage &stage, mfem::real_t share,
+                            const ResidualTolerance &tolerance);
    /// Norm of the residual with multipliers alone; tightens the tolerance where
    /// that is small.
    mfem::real_t AssessBalance(ImplicitStage &stage,
@@ -87,9 +92,10 @@ private:
    /// Adds a part of the step, and of the multipliers'.
    void Add(mfem::real_t share, ImplicitStage &stage,
             const MultiplierSteps &multipliers);
-   /// Why the state can't follow one whose residual had this norm; empty if it
-   /// can.
-   std::string FindObstacle(const ImplicitStage &stage, mfem::real_t norm,
+   /// Why the state after a @a share of the step can't follow one whose
+   /// residual had this norm; empty if it can.
+   std::string FindObstacle(const ImplicitStage &stage, mfem::real_t share,
+                            mfem::real_t norm,
                             const ResidualTolerance &tolerance);
    /// Where the forces are least in balance.
    Point3 WorstPlace() const;
@@ -100,6 +106,8 @@ private:
    mfem::Vector mass_imbalance;
    mfem::BlockVector residual{spaces.Offsets()};
    mfem::BlockVector step{spaces.Offsets()};
+   /// What damping resists the step with.
+   mfem::Vector damping;
    /// Of the multipliers in the step, beside what the penalties make.
    MultiplierChanges changes;
    /// Whether any step was taken in this solve.

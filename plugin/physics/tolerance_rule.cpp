@@ -101,6 +101,7 @@ ResidualTolerance ToleranceRule::Find(const ImplicitStage &stage,
    tolerance.momentum = std::max(tolerance.momentum, tiny);
    tolerance.mass = std::max(tolerance.mass, tiny);
    tolerance.least_mass = std::max(tolerance.least_mass, tiny);
+   tolerance.untightened_mass = tolerance.mass;
    return tolerance;
 }
 

@@ -55,6 +55,16 @@ public:
       return Work(Direction([](real_t x) { return std::min(x - 1.0, 0.0); }));
    }
 
+   /// Work of what the tangent's damping resists the same direction with.
+   real_t DampingWorkFar()
+   {
+      const Vector direction = Far(1.0);
+      Vector forces(direction.Size());
+      forces = 0.0;
+      form->AddDampingForces(direction, forces);
+      return InnerProduct(MPI_COMM_WORLD, direction, forces);
+   }
+
    real_t Stiffness() const { return 2.0 * solid.ShearModulus(); }
 
 private:
@@ -124,6 +134,24 @@ TEST_CASE("Elements that a direction strains too much are damped")
 
    CHECK(cubes.DampFar(0.4));
    CHECK(cubes.WorkFar() == Approx(far + stress));
+}
+
+TEST_CASE("The forces of damping are those in the last tangent")
+{
+   TwoCubes cubes;
+   const real_t stress = pressure + cubes.Stiffness();
+   cubes.WorkFar();
+   CHECK(cubes.DampingWorkFar() == 0.0);
+
+   REQUIRE(cubes.DampFar(0.4));
+   CHECK(cubes.DampingWorkFar() == 0.0);
+   cubes.WorkFar();
+   CHECK(cubes.DampingWorkFar() == Approx(0.25 * stress));
+
+   cubes.Ease();
+   CHECK(cubes.DampingWorkFar() == Approx(0.25 * stress));
+   cubes.WorkFar();
+   CHECK(cubes.DampingWorkFar() == Approx(0.125 * stress));
 }
 
 TEST_CASE("Damping ends in steps, and with its stage")
