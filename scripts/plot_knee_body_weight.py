@@ -107,7 +107,7 @@ def shares(axes: plt.Axes, knee: Knee) -> None:
     against_time(axes, knee, "share of the force (%)")
     axes.set_ylim(0, 105)
     axes.set_title("Who bears the force")
-    axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.35))
+    axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.62))
 
 
 def approach(axes: plt.Axes, knee: Knee) -> None:
