@@ -25,6 +25,8 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
    set_has_changed = false;
    has_stepped = false;
    rejected = 0;
+   damping.SetSize(spaces.Displacement().GetTrueVSize());
+   damping = 0.0;
    largest_residual = 0.0;
    bool evaluated = false;
    // Since the last search of a solution.
@@ -200,28 +202,30 @@ void PrimalDualNewton::EvaluateBodies(const ImplicitStage &stage)
                                   body_imbalance.GetBlock(1));
 }
 
-real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
-                                ContactStiffness stiffness,
-                                const ResidualTolerance &tolerance)
+void PrimalDualNewton::SetResidual(const ImplicitStage &stage,
+                                   ContactStiffness stiffness, real_t share)
 {
    contact.SetTractions(stiffness);
    residual = body_imbalance;
+   residual.GetBlock(0).Add(share, damping);
    equations.AddContactImbalance(stage, residual.GetBlock(0),
                                  residual.GetBlock(1));
    mass_imbalance = residual.GetBlock(1);
    equations.MakeResidual(stage, residual);
+}
+
+real_t PrimalDualNewton::Assess(const ImplicitStage &stage,
+                                ContactStiffness stiffness,
+                                const ResidualTolerance &tolerance)
+{
+   SetResidual(stage, stiffness, 0.0);
    return linear.Norm(residual, tolerance);
 }
 
 real_t PrimalDualNewton::AssessTrial(const ImplicitStage &stage, real_t share,
                                      const ResidualTolerance &tolerance)
 {
-   contact.SetTractions(ContactStiffness::bodies);
-   residual = body_imbalance;
-   residual.GetBlock(0).Add(share, damping);
-   equations.AddContactImbalance(stage, residual.GetBlock(0),
-                                 residual.GetBlock(1));
-   equations.MakeResidual(stage, residual);
+   SetResidual(stage, ContactStiffness::bodies, share);
    return linear.Norm(residual, tolerance.Untightened());
 }
 
@@ -268,7 +272,6 @@ PrimalDualNewton::TakeStep(ImplicitStage &stage,
    {
       largest_residual = std::max(largest_residual, limit);
    }
-   damping.SetSize(displacement.Size());
    damping = 0.0;
    equations.Bodies().AddDampingForces(displacement, damping);
    stage.from_start = false;

@@ -55,7 +55,12 @@ private:
    bool PredictSet(ImplicitStage &stage);
    /// Evaluates the bodies and their loads.
    void EvaluateBodies(const ImplicitStage &stage);
-   /// Sets the residual with tractions of @a stiffness; returns its norm.
+   /// Sets the residual with tractions of @a stiffness, and with a @a share of
+   /// what damping resists the step with.
+   void SetResidual(const ImplicitStage &stage, ContactStiffness stiffness,
+                    mfem::real_t share);
+   /// Sets the residual with tractions of @a stiffness, and nothing of damping;
+   /// returns its norm.
    mfem::real_t Assess(const ImplicitStage &stage, ContactStiffness stiffness,
                        const ResidualTolerance &tolerance);
    /// The same for the line search, after a @a share of the step: with the
