@@ -277,7 +277,7 @@ KeyTable SolverKeys(NonlinearOptions &solver)
       .AtLeast(0);
    keys
       .Value("direct_below_with_fibers", linear.direct_below_with_fibers, "",
-             "the same where bodies of infinitesimal strain have fibers")
+             "the same where bodies have fibers")
       .AtLeast(0);
    keys.Word<DirectLibrary>(
       "direct", linear.direct.library, DirectLibraryWords(),

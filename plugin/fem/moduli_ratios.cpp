@@ -1,7 +1,9 @@
 #include "synovia/fem/moduli_ratios.hpp"
+#include "synovia/general/point3.hpp"
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace synovia
 {
@@ -10,26 +12,68 @@ using namespace mfem;
 
 namespace
 {
-real_t LargestStiffness(const SolidLaw &solid, const MaterialPoint &point)
+// @a along is the stiffness of a stretch along a direction (1 or 0 or -1 times
+// each axis), times its length to the fourth.
+template <typename Stiffness>
+real_t LargestOverSmallest(const Stiffness &along)
 {
-   constexpr real_t stretch = 1.05;
+   real_t largest = 0.0;
+   real_t smallest = std::numeric_limits<real_t>::infinity();
+   // Those of a cube's edges, and of the diagonals of its faces and itself.
+   for (int code = 14; code < 27; code++)
+   {
+      const Point3 direction{
+         {code / 9 - 1.0, code / 3 % 3 - 1.0, code % 3 - 1.0}};
+      const real_t square = Dot(direction, direction);
+      const real_t stiffness = along(direction) / (square * square);
+      largest = std::max(largest, stiffness);
+      smallest = std::min(smallest, stiffness);
+   }
+   return smallest > 0.0 ? largest / smallest
+                         : std::numeric_limits<real_t>::infinity();
+}
+
+real_t AnisotropyAsMeshed(const SolidLaw &solid, const MaterialPoint &point)
+{
    DenseMatrix stiffness;
    solid.GetStiffness(point.trans, point.ip, stiffness);
-   real_t largest =
-      std::max({stiffness(0, 0), stiffness(1, 1), stiffness(2, 2)});
+   return LargestOverSmallest(
+      [&stiffness](const Point3 &n)
+      {
+         const Vector strain({n[0] * n[0], n[1] * n[1], n[2] * n[2],
+                              2.0 * n[0] * n[1], 2.0 * n[1] * n[2],
+                              2.0 * n[0] * n[2]});
+         return stiffness.InnerProduct(strain, strain);
+      });
+}
+
+real_t AnisotropyStretched(const SolidLaw &solid, const MaterialPoint &point)
+{
+   constexpr real_t stretch = 1.05;
    Tensor3<> F{};
-   Tensor3<> stress;
-   Tangent3 tangent;
    for (int i = 0; i < 3; i++)
    {
       F[i][i] = stretch;
    }
-   if (solid.IsObjective() && solid.GetStress(point, F, stress, &tangent))
+   Tensor3<> stress;
+   Tangent3 tangent;
+   if (!solid.IsObjective() || !solid.GetStress(point, F, stress, &tangent))
    {
-      largest =
-         std::max({largest, tangent[0][0], tangent[4][4], tangent[8][8]});
+      return 0.0;
    }
-   return largest;
+   return LargestOverSmallest(
+      [&tangent](const Point3 &n)
+      {
+         real_t sum = 0.0;
+         for (int i = 0; i < 9; i++)
+         {
+            for (int j = 0; j < 9; j++)
+            {
+               sum += tangent[i][j] * n[i / 3] * n[i % 3] * n[j / 3] * n[j % 3];
+            }
+         }
+         return sum;
+      });
 }
 
 // Of one element that is not rigid.
@@ -39,10 +83,11 @@ ModuliRatios RatiosOf(ParMesh &mesh, int element, const SolidLaw &solid)
    const IntegrationPoint &center =
       Geometries.GetCenter(trans.GetGeometryType());
    trans.SetIntPoint(&center);
-   const real_t softest = solid.AggregateModulus();
+   const MaterialPoint point{trans, center};
    ModuliRatios ratios;
-   ratios.anisotropy = LargestStiffness(solid, {trans, center}) / softest;
-   ratios.incompressibility = softest / solid.ShearModulus();
+   ratios.anisotropy = std::max(AnisotropyAsMeshed(solid, point),
+                                AnisotropyStretched(solid, point));
+   ratios.incompressibility = solid.AggregateModulus() / solid.ShearModulus();
    return ratios;
 }
 } // namespace

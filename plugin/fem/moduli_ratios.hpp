@@ -13,11 +13,13 @@ struct ModuliRatios
    /// Aggregate modulus over shear modulus: how nearly incompressible the
    /// drained solid is.
    mfem::real_t incompressibility = 0.0;
-   /// The largest stiffness along an axis of space over the aggregate modulus
-   /// in the softest direction: 1 for isotropic solids, and at least a quarter
-   /// of the ratio of the fibers' stiffness to the matrix' between them. Solids
-   /// of finite deformation are looked at as meshed and stretched by a
-   /// twentieth, as fibers that resist tension only are slack as meshed.
+   /// The largest over the smallest stiffness of a stretch along one direction,
+   /// of the axes of space and the diagonals between them: 1 for isotropic
+   /// solids, about that of fibers and the matrix between them where fibers
+   /// have one direction or two, and less than 3 where they are as stiff along
+   /// three axes. Solids of finite deformation are looked at as meshed and
+   /// stretched by a twentieth, as fibers that resist tension only are slack as
+   /// meshed.
    mfem::real_t anisotropy = 0.0;
 };
 

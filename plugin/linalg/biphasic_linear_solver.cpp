@@ -32,14 +32,14 @@ real_t MeanDiagonal(const HypreParMatrix &matrix)
 } // namespace
 
 LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-                          bool linear_fibers)
+                          bool has_fibers)
 {
    if (options.method != LinearMethod::automatic)
    {
       return options.method;
    }
    const HYPRE_BigInt most =
-      linear_fibers ? options.direct_below_with_fibers : options.direct_below;
+      has_fibers ? options.direct_below_with_fibers : options.direct_below;
    return dofs <= most ? LinearMethod::direct : LinearMethod::block_amg;
 }
 
@@ -88,8 +88,7 @@ BiphasicLinearSolver::BiphasicLinearSolver(const BiphasicJacobian &jacobian_,
                              spaces.Pressure().GlobalTrueVSize();
    const bool is_anisotropic =
       jacobian.Volume().moduli.anisotropy > tuning.multigrid.smooth_anisotropy;
-   options.method = ChooseMethod(options, dofs,
-                                 is_anisotropic && jacobian.Volume().symmetric);
+   options.method = ChooseMethod(options, dofs, is_anisotropic);
    if (options.method == LinearMethod::direct || !jacobian.Contact().empty() ||
        is_anisotropic)
    {

@@ -31,8 +31,8 @@ struct LinearOptions
    int max_iterations = 300;
    /// Automatic: up to this many dofs, direct.
    HYPRE_BigInt direct_below = 250000;
-   /// The same where bodies of infinitesimal strain have fibers, for which
-   /// multigrid leaves less to factorize.
+   /// The same where bodies have fibers (MultigridTuning::smooth_anisotropy),
+   /// which are a part of what there is to factorize with multigrid, too.
    HYPRE_BigInt direct_below_with_fibers = 150000;
    /// A kept factorization is renewed once its solves have taken this many
    /// iterations more than a new one would have taken: about the cost of a
@@ -44,9 +44,9 @@ struct LinearOptions
 };
 
 /// The method that automatic stands for with so many dofs of all ranks, and
-/// with fibers in infinitesimal strain or not; others stand for themselves.
+/// with fibers or not; others stand for themselves.
 LinearMethod ChooseMethod(const LinearOptions &options, HYPRE_BigInt dofs,
-                          bool linear_fibers);
+                          bool has_fibers);
 
 /// One attempt to solve a system.
 struct SolveAttempt
@@ -109,6 +109,8 @@ struct ResidualTolerance
    /// That of the mass before it was tightened.
    mfem::real_t untightened_mass = 0.0;
 
+   /// What it was before the mass was tightened: residuals that are measured by
+   /// it before and after compare.
    ResidualTolerance Untightened() const
    {
       ResidualTolerance untightened(*this);

@@ -77,12 +77,9 @@ void ProblemReport::Count(const CaseFile &setup, CaseProblem &problem)
                       anisotropy.begin(), anisotropy.end(),
                       [smoothed](real_t here) { return here > smoothed; })),
                    mesh.GetComm());
-   const bool linear_fibers =
-      anisotropic > 0.0 &&
-      problem.Get().GetDeformation() == Deformation::infinitesimal;
    const bool direct =
       ChooseMethod(setup.solver.linear, displacements + pressures,
-                   linear_fibers) == LinearMethod::direct;
+                   anisotropic > 0.0) == LinearMethod::direct;
    const real_t factorized = direct ? unknowns : anisotropic;
    // Factors of three-dimensional meshes grow like n^(4/3).
    const real_t factors = 25.0 * std::pow(factorized, 4.0 / 3.0);
