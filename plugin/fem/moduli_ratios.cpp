@@ -3,6 +3,7 @@
 #include "synovia/general/reduce.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace synovia
@@ -12,44 +13,41 @@ using namespace mfem;
 
 namespace
 {
-// @a along is the stiffness of a stretch along a direction (1 or 0 or -1 times
-// each axis), times its length to the fourth.
-template <typename Stiffness>
-real_t LargestOverSmallest(const Stiffness &along)
+// The edges of a cube and the diagonals of its faces and itself.
+constexpr std::array<Point3, 13> directions{{{{1.0, 0.0, 0.0}},
+                                             {{0.0, 1.0, 0.0}},
+                                             {{0.0, 0.0, 1.0}},
+                                             {{1.0, 1.0, 0.0}},
+                                             {{1.0, -1.0, 0.0}},
+                                             {{0.0, 1.0, 1.0}},
+                                             {{0.0, 1.0, -1.0}},
+                                             {{1.0, 0.0, 1.0}},
+                                             {{1.0, 0.0, -1.0}},
+                                             {{1.0, 1.0, 1.0}},
+                                             {{1.0, 1.0, -1.0}},
+                                             {{1.0, -1.0, 1.0}},
+                                             {{1.0, -1.0, -1.0}}}};
+
+// Of a further stretch along @a n: (n n) : A : (n n) / |n|^4.
+real_t StiffnessAlong(const Tangent3 &tangent, const Point3 &n)
 {
-   real_t largest = 0.0;
-   real_t smallest = std::numeric_limits<real_t>::infinity();
-   // Those of a cube's edges, and of the diagonals of its faces and itself.
-   for (int code = 14; code < 27; code++)
+   real_t sum = 0.0;
+   for (int i = 0; i < 9; i++)
    {
-      const Point3 direction{
-         {code / 9 - 1.0, code / 3 % 3 - 1.0, code % 3 - 1.0}};
-      const real_t square = Dot(direction, direction);
-      const real_t stiffness = along(direction) / (square * square);
-      largest = std::max(largest, stiffness);
-      smallest = std::min(smallest, stiffness);
-   }
-   return smallest > 0.0 ? largest / smallest
-                         : std::numeric_limits<real_t>::infinity();
-}
-
-real_t AnisotropyAsMeshed(const SolidLaw &solid, const MaterialPoint &point)
-{
-   DenseMatrix stiffness;
-   solid.GetStiffness(point.trans, point.ip, stiffness);
-   return LargestOverSmallest(
-      [&stiffness](const Point3 &n)
+      for (int j = 0; j < 9; j++)
       {
-         const Vector strain({n[0] * n[0], n[1] * n[1], n[2] * n[2],
-                              2.0 * n[0] * n[1], 2.0 * n[1] * n[2],
-                              2.0 * n[0] * n[2]});
-         return stiffness.InnerProduct(strain, strain);
-      });
+         sum += tangent[i][j] * n[i / 3] * n[i % 3] * n[j / 3] * n[j % 3];
+      }
+   }
+   const real_t square = Dot(n, n);
+   return sum / (square * square);
 }
 
-real_t AnisotropyStretched(const SolidLaw &solid, const MaterialPoint &point)
+// The largest over the smallest stiffness at @a stretch along all directions; 0
+// where the law has no value.
+real_t AnisotropyAt(real_t stretch, const SolidLaw &solid,
+                    const MaterialPoint &point)
 {
-   constexpr real_t stretch = 1.05;
    Tensor3<> F{};
    for (int i = 0; i < 3; i++)
    {
@@ -57,23 +55,28 @@ real_t AnisotropyStretched(const SolidLaw &solid, const MaterialPoint &point)
    }
    Tensor3<> stress;
    Tangent3 tangent;
-   if (!solid.IsObjective() || !solid.GetStress(point, F, stress, &tangent))
+   if (!solid.GetStress(point, F, stress, &tangent))
    {
       return 0.0;
    }
-   return LargestOverSmallest(
-      [&tangent](const Point3 &n)
-      {
-         real_t sum = 0.0;
-         for (int i = 0; i < 9; i++)
-         {
-            for (int j = 0; j < 9; j++)
-            {
-               sum += tangent[i][j] * n[i / 3] * n[i % 3] * n[j / 3] * n[j % 3];
-            }
-         }
-         return sum;
-      });
+   real_t largest = 0.0;
+   real_t smallest = std::numeric_limits<real_t>::infinity();
+   for (const Point3 &direction : directions)
+   {
+      const real_t stiffness = StiffnessAlong(tangent, direction);
+      largest = std::max(largest, stiffness);
+      smallest = std::min(smallest, stiffness);
+   }
+   return smallest > 0.0 ? largest / smallest
+                         : std::numeric_limits<real_t>::infinity();
+}
+
+real_t Anisotropy(const SolidLaw &solid, const MaterialPoint &point)
+{
+   const real_t as_meshed = AnisotropyAt(1.0, solid, point);
+   return solid.IsObjective()
+             ? std::max(as_meshed, AnisotropyAt(1.05, solid, point))
+             : as_meshed;
 }
 
 // Of one element that is not rigid.
@@ -85,8 +88,7 @@ ModuliRatios RatiosOf(ParMesh &mesh, int element, const SolidLaw &solid)
    trans.SetIntPoint(&center);
    const MaterialPoint point{trans, center};
    ModuliRatios ratios;
-   ratios.anisotropy = std::max(AnisotropyAsMeshed(solid, point),
-                                AnisotropyStretched(solid, point));
+   ratios.anisotropy = Anisotropy(solid, point);
    ratios.incompressibility = solid.AggregateModulus() / solid.ShearModulus();
    return ratios;
 }
