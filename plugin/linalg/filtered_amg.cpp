@@ -66,14 +66,14 @@ void Unmark(const Array<int> &dofs, Array<int> &marker)
 } // namespace
 
 FilteredAmg::FilteredAmg(Matrices terms_, const Array<int> &prescribed_,
-                         const Array<int> &exact_, int overlap_,
+                         const Array<int> &exact_, int overlap_, Filter filter_,
                          MatrixKind kind_, const DirectOptions &options_,
                          int most_columns)
    : Solver(terms_.at(0)->Height()), terms(std::move(terms_)),
      prescribed(prescribed_), exact(exact_),
      has_exact(AnyRank(exact.Size() > 0, terms[0]->GetComm())),
-     overlap(overlap_), in_contact(kind_, options_, most_columns),
-     residual(height)
+     overlap(overlap_), filter(filter_),
+     in_contact(kind_, options_, most_columns), residual(height)
 {
    Array<int> marker(height);
    marker = 1;
@@ -292,12 +292,16 @@ void FilteredAmg::RemoveContact(const Vector &x) const
    residual.SetSubVector(held, 0.0);
 }
 
-void FilteredAmg::RestrictResidual(const Vector &y) const
+void FilteredAmg::CorrectContact(const Vector &y) const
 {
-   const ProfiledWork work("residual", BytesOf(smoothed_columns.get()));
-   y.GetSubVector(contact_dofs, small_correction);
-   smoothed_columns->MultTranspose(-1.0, y, 0.0, small_residual);
-   in_contact.AddPenalties(-1.0, small_correction, small_residual);
+   {
+      const ProfiledWork work("residual", BytesOf(smoothed_columns.get()));
+      y.GetSubVector(contact_dofs, small_correction);
+      smoothed_columns->MultTranspose(-1.0, y, 0.0, small_residual);
+      in_contact.AddPenalties(-1.0, small_correction, small_residual);
+   }
+   in_contact.Mult(small_residual, small_correction);
+   first += small_correction;
 }
 
 void FilteredAmg::Mult(const Vector &x, Vector &y) const
@@ -312,11 +316,11 @@ void FilteredAmg::Mult(const Vector &x, Vector &y) const
    RemoveContact(x);
    Cycle(residual, y);
    y.SetSubVector(held, 0.0);
-
-   RestrictResidual(y);
-   in_contact.Mult(small_residual, small_correction);
-   small_correction += first;
-   y.AddElementVector(contact_dofs, small_correction);
+   if (filter == Filter::around)
+   {
+      CorrectContact(y);
+   }
+   y.AddElementVector(contact_dofs, first);
    CopyEntries(held, x, y);
 }
 

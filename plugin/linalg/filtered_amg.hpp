@@ -13,16 +13,16 @@ namespace synovia
 ///
 /// A, a sum of matrices, suits multigrid; F the gap or jump operator of a
 /// contact pair, W its weights, the penalties, and R is F, or how gaps change
-/// where that is another matrix. One V-cycle of BoomerAMG, whose hierarchy is
-/// that of A or of a matrix near to the whole that suits multigrid as well,
-/// stands between two exact solves on the dofs of the rows that have a weight:
-/// filter, V-cycle, filter, with the residual updated in between. So neither
-/// the size of the penalty nor a change of the active set spoils the multigrid.
-/// Dofs that contact holds, such as pressures that drain where there is none,
-/// are left to the exact solves in the same way, and so are those of bodies
-/// that multigrid smooths slowly. The idea is AMG with filtering (Petrides et
-/// al. 2025); there the hierarchy is that of the whole matrix and the order is
-/// AMG, filter, AMG.
+/// where that is another matrix. Before one V-cycle of BoomerAMG, whose
+/// hierarchy is that of A or of a matrix near to the whole that suits multigrid
+/// as well, comes an exact solve on the dofs of the rows that have a weight,
+/// the filter, and after it another one if wanted, with the residual updated in
+/// between. So neither the size of the penalty nor a change of the active set
+/// spoils the multigrid. Dofs that contact holds, such as pressures that drain
+/// where there is none, are left to the exact solves in the same way, and so
+/// are those of bodies that multigrid smooths slowly. The idea is AMG with
+/// filtering (Petrides et al. 2025); there the hierarchy is that of the whole
+/// matrix and the order is AMG, filter, AMG.
 class FilteredAmg : public mfem::Solver
 {
 public:
@@ -34,6 +34,14 @@ public:
       const mfem::HypreParMatrix *changes;
    };
    using Factors = std::vector<Factor>;
+   /// When the exact solves are made: before the V-cycle, or before and after
+   /// it. What a V-cycle leaves to the second one, the first one of the next
+   /// iteration finds as well.
+   enum class Filter
+   {
+      before,
+      around
+   };
 
    /// Borrows @a terms, whose sum is A, at least one; their rows and columns of
    /// the @a prescribed true dofs, ascending, don't count: those have unit rows
@@ -45,8 +53,8 @@ public:
    /// are exact dofs is R more than F. A factorization serves for changed
    /// weights until they have made @a most_columns. Collective.
    FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed,
-               const mfem::Array<int> &exact, int overlap, MatrixKind kind,
-               const DirectOptions &options, int most_columns);
+               const mfem::Array<int> &exact, int overlap, Filter filter,
+               MatrixKind kind, const DirectOptions &options, int most_columns);
 
    /// Takes @a amg, with its options but without an operator, and builds its
    /// hierarchy on @a alike, which has unit rows and columns for the prescribed
@@ -106,15 +114,16 @@ private:
    /// dofs it is none; elsewhere in contact factors that are symmetric, or of
    /// an older tangent, leave some.
    void RemoveContact(const mfem::Vector &x) const;
-   /// Sets the small residual that a V-cycle's @a y makes there, and its part
-   /// there as the small correction.
-   void RestrictResidual(const mfem::Vector &y) const;
+   /// Adds to the contact's solution the exact one for the residual that a
+   /// V-cycle's @a y makes there.
+   void CorrectContact(const mfem::Vector &y) const;
 
    Matrices terms;
    mfem::Array<int> prescribed;
    mfem::Array<int> exact;
    bool has_exact;
    int overlap;
+   Filter filter;
    mfem::Array<int> held;
    std::unique_ptr<mfem::HypreParMatrix> alike;
    std::unique_ptr<mfem::HypreBoomerAMG> amg;
