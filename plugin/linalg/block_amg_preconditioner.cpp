@@ -163,9 +163,10 @@ BlockAmgPreconditioner::BlockAmgPreconditioner(
    // Between bodies that only multigrid solves for, filters are small.
    options.single_precision =
       options.single_precision && AnyRank(exact.Size() > 0, comm);
-   // Around the V-cycle they would take a fourth more time on a knee, for as
-   // many iterations; without the second ones for the pressure, systems take a
-   // seventh more.
+   // Exact solves around the V-cycle would save no iterations on a knee in
+   // finite deformation, and an eighth in infinitesimal, but take a fourth more
+   // time for each. Without the pressure's second ones it would be a seventh
+   // more iterations.
    displacement = std::make_unique<FilteredAmg>(
       jacobian.StiffnessUnderTraction(), jacobian.DisplacementDofs(), exact,
       Overlap(jacobian.Volume(), tuning), FilteredAmg::Filter::before, kind,

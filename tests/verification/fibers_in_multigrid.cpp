@@ -21,6 +21,9 @@ using namespace synovia;
 
 namespace
 {
+// For a system, each with one exact solve for displacements.
+constexpr int most_iterations = 12;
+
 struct Outcome
 {
    std::vector<real_t> forces;
@@ -119,7 +122,7 @@ void CheckFibers(const Solids &solids)
       CHECK(expected.forces[i] > 0.0);
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-4));
    }
-   CHECK(found.linear <= 10 * found.newton);
+   CHECK(found.linear <= most_iterations * found.newton);
    CHECK(2 * found.linear <= smoothed.linear);
 }
 } // namespace
@@ -164,7 +167,7 @@ TEST_CASE("A force on a rigid body above fibers costs multigrid few iterations")
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-4));
       CHECK(found.forces[i] > 0.0);
    }
-   CHECK(found.linear <= 10 * found.newton);
+   CHECK(found.linear <= most_iterations * found.newton);
 }
 
 TEST_CASE("Bodies with fibers and no contact are solved for exactly, too")
@@ -231,5 +234,5 @@ TEST_CASE("Fibers that single precision doesn't resolve get double")
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-6));
    }
    CHECK(found.newton == expected.newton);
-   CHECK(found.linear <= 10 * found.newton);
+   CHECK(found.linear <= most_iterations * found.newton);
 }
