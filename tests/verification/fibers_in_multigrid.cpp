@@ -21,9 +21,6 @@ using namespace synovia;
 
 namespace
 {
-// For a system, each with one exact solve for displacements.
-constexpr int most_iterations = 12;
-
 struct Outcome
 {
    std::vector<real_t> forces;
@@ -103,7 +100,9 @@ Outcome Press(const Solids &solids, const NonlinearOptions &nonlinear,
    return outcome;
 }
 
-void CheckFibers(const Solids &solids)
+// Of a system there are at most so many iterations, each with one exact solve
+// for displacements.
+void CheckFibers(const Solids &solids, int most_iterations)
 {
    NonlinearOptions nonlinear;
    nonlinear.linear.method = LinearMethod::direct;
@@ -143,13 +142,13 @@ TEST_CASE("Fibers cost multigrid no iterations")
    const CartesianFrame frame({1.0, 2.0, 0.0});
    const IsotropicElastic layer(0.69, 0.018);
    const TransverselyIsotropic box(MeniscusFibers(), frame);
-   CheckFibers({layer, box, Deformation::infinitesimal});
+   CheckFibers({layer, box, Deformation::infinitesimal}, 10);
 }
 
 TEST_CASE("Fibers that are slack as meshed cost multigrid no iterations")
 {
    const SlackFibers fibers;
-   CheckFibers(fibers.solids);
+   CheckFibers(fibers.solids, 12);
 }
 
 TEST_CASE("A force on a rigid body above fibers costs multigrid few iterations")
@@ -167,7 +166,7 @@ TEST_CASE("A force on a rigid body above fibers costs multigrid few iterations")
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-4));
       CHECK(found.forces[i] > 0.0);
    }
-   CHECK(found.linear <= most_iterations * found.newton);
+   CHECK(found.linear <= 10 * found.newton);
 }
 
 TEST_CASE("Bodies with fibers and no contact are solved for exactly, too")
@@ -234,5 +233,5 @@ TEST_CASE("Fibers that single precision doesn't resolve get double")
       CHECK(found.forces[i] == Approx(expected.forces[i]).epsilon(1e-6));
    }
    CHECK(found.newton == expected.newton);
-   CHECK(found.linear <= most_iterations * found.newton);
+   CHECK(found.linear <= 10 * found.newton);
 }
