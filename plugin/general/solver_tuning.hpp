@@ -53,9 +53,9 @@ struct ContactTuning
    /// change by more than these parts: of the gap tolerance and of the gap
    /// itself, added, and of the area. Larger: fewer searches; the next step
    /// makes up for them.
-   mfem::real_t drift_of_tolerance = 0.1;
+   mfem::real_t drift_of_tolerance = 10.0;
    mfem::real_t drift_of_gap = 0.01;
-   mfem::real_t drift_of_area = 1e-4;
+   mfem::real_t drift_of_area = 0.02;
    /// In finite deformation, pairs that slide by less than this part of a face
    /// in a time step look for each other no more, unless they rub, until they
    /// have slid by as much. Larger: fewer sets that change, but areas of

@@ -10,11 +10,15 @@ using namespace mfem;
 void SearchRule::AddResidual(real_t norm)
 {
    last = std::max(last, norm);
+   present = norm;
 }
 
 bool SearchRule::AllowsEarly()
 {
-   return searches == 0 && early_searches++ < tuning.max_early_searches;
+   const bool falls = present < least;
+   least = std::min(least, present);
+   return searches == 0 && falls &&
+          early_searches++ < tuning.max_early_searches;
 }
 
 bool SearchRule::IsNear(real_t norm) const

@@ -9,7 +9,8 @@ namespace synovia
 /// set changes, in the first iterations, and once it has settled with the
 /// partners there are, NewtonTuning::max_searches times at most. No more where
 /// searches undo each other, as for points near an edge, which go back and
-/// forth: where a search upset the balance nearly as much as the one before it.
+/// forth: where the residual falls no more while the set changes, or a search
+/// of a settled one upset the balance nearly as much as the one before it.
 class SearchRule
 {
 public:
@@ -17,8 +18,8 @@ public:
 
    /// Takes the norm of an iteration's residual, in tolerances.
    void AddResidual(mfem::real_t norm);
-   /// Whether a set that has changed may be searched for at once; to be asked
-   /// once for each change.
+   /// Whether a set that the iteration has changed may be searched for at once;
+   /// to be asked once for each change.
    bool AllowsEarly();
    /// Whether this residual is so small a part of what there was since the last
    /// search that another one would upset it by more.
@@ -36,6 +37,10 @@ private:
    /// after the start of the solve.
    mfem::real_t last = 0.0;
    mfem::real_t before_last = 0.0;
+   /// Residual of the present iteration, and the smallest of those that changed
+   /// the set before.
+   mfem::real_t present = 0.0;
+   mfem::real_t least = mfem::infinity();
 };
 
 } // namespace synovia
