@@ -113,7 +113,7 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
       set_rests = !set_changed;
       set_has_changed = set_has_changed || set_changed;
       evaluated = !set_changed;
-      if (set_changed && search.AllowsEarly())
+      if (set_changed && search.AllowsEarly(balance))
       {
          // Points that have drifted would change a settled set once more.
          contact.SearchDrifted(stage, ContactStiffness::bodies, false);

@@ -10,13 +10,12 @@ using namespace mfem;
 void SearchRule::AddResidual(real_t norm)
 {
    last = std::max(last, norm);
-   present = norm;
 }
 
-bool SearchRule::AllowsEarly()
+bool SearchRule::AllowsEarly(real_t norm)
 {
-   const bool falls = present < least;
-   least = std::min(least, present);
+   const bool falls = norm < least;
+   least = std::min(least, norm);
    return searches == 0 && falls &&
           early_searches++ < tuning.max_early_searches;
 }

@@ -18,9 +18,9 @@ public:
 
    /// Takes the norm of an iteration's residual, in tolerances.
    void AddResidual(mfem::real_t norm);
-   /// Whether a set that the iteration has changed may be searched for at once;
-   /// to be asked once for each change.
-   bool AllowsEarly();
+   /// Whether a set that an iteration with this residual has changed may be
+   /// searched for at once; to be asked once for each change.
+   bool AllowsEarly(mfem::real_t norm);
    /// Whether this residual is so small a part of what there was since the last
    /// search that another one would upset it by more.
    bool IsNear(mfem::real_t norm) const;
@@ -37,9 +37,7 @@ private:
    /// after the start of the solve.
    mfem::real_t last = 0.0;
    mfem::real_t before_last = 0.0;
-   /// Residual of the present iteration, and the smallest of those that changed
-   /// the set before.
-   mfem::real_t present = 0.0;
+   /// Smallest residual of the iterations that changed the set.
    mfem::real_t least = mfem::infinity();
 };
 

@@ -123,30 +123,20 @@ TEST_CASE("The first changes of the active set are searched for at once")
    NewtonTuning tuning;
    tuning.max_early_searches = 2;
    SearchRule rule(tuning);
-   rule.AddResidual(1e6);
-   CHECK(rule.AllowsEarly());
-   rule.AddResidual(1e5);
-   CHECK(rule.AllowsEarly());
-   rule.AddResidual(1e4);
-   CHECK_FALSE(rule.AllowsEarly());
+   CHECK(rule.AllowsEarly(1e6));
+   CHECK(rule.AllowsEarly(1e5));
+   CHECK_FALSE(rule.AllowsEarly(1e4));
    SearchRule other(tuning);
-   other.AddResidual(1e6);
    other.Restart();
-   other.AddResidual(1e5);
-   CHECK_FALSE(other.AllowsEarly());
+   CHECK_FALSE(other.AllowsEarly(1e5));
 }
 
 TEST_CASE("Searches that take the active set to and fro come to an end")
 {
    SearchRule rule{NewtonTuning()};
-   rule.AddResidual(1e6);
-   CHECK(rule.AllowsEarly());
-   rule.AddResidual(1e4);
-   CHECK(rule.AllowsEarly());
-   rule.AddResidual(2e4);
-   CHECK_FALSE(rule.AllowsEarly());
-   rule.AddResidual(1e4);
-   CHECK_FALSE(rule.AllowsEarly());
-   rule.AddResidual(1e3);
-   CHECK(rule.AllowsEarly());
+   CHECK(rule.AllowsEarly(1e6));
+   CHECK(rule.AllowsEarly(1e4));
+   CHECK_FALSE(rule.AllowsEarly(2e4));
+   CHECK_FALSE(rule.AllowsEarly(1e4));
+   CHECK(rule.AllowsEarly(1e3));
 }
