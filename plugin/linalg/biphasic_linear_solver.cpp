@@ -214,6 +214,15 @@ BiphasicLinearSolver::TryIterations(const std::function<Result()> &iterate)
    }
 }
 
+real_t BiphasicLinearSolver::ResidualNorm(const Operator &system,
+                                          const Vector &right_side,
+                                          const Vector &x) const
+{
+   Vector residual(right_side);
+   system.AddMult(x, residual, -1.0);
+   return std::sqrt(InnerProduct(comm, residual, residual));
+}
+
 BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
    const Operator &system, Solver &system_preconditioner,
    const Vector &right_side, Vector &x, real_t target, FirstGuess guess)
@@ -229,6 +238,13 @@ BiphasicLinearSolver::Result BiphasicLinearSolver::Iterate(
       x = 0.0;
    }
    Result result;
+   if (guess == FirstGuess::given &&
+       ResidualNorm(system, right_side, x) <= target)
+   {
+      // Without a preconditioner, which may take most of the time.
+      result.converged = true;
+      return result;
+   }
    bool again = true;
    while (again && !result.converged &&
           result.iterations < options.max_iterations)

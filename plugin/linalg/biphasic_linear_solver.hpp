@@ -68,6 +68,9 @@ public:
    /// The matrices of bodies or contact have other values, a little later in
    /// the deformation; factors and hierarchies may stay in use. Collective.
    virtual void TangentChanged() = 0;
+   /// The contact's operators have other values, as its points have moved on,
+   /// while the tangents were kept. Collective.
+   virtual void ContactFollowed() = 0;
    /// Called before each solve, when step, active set or drained dofs may have
    /// changed. Throws FactorizationError, as Mult() does; the preconditioner
    /// cannot be used any more then. Collective.
@@ -142,6 +145,7 @@ public:
 
    void ContactMoved() { preconditioner->ContactMoved(); }
    void TangentChanged() { preconditioner->TangentChanged(); }
+   void ContactFollowed() { preconditioner->ContactFollowed(); }
 
    /// Norm of a residual in units of the tolerance: at most 1 is good enough.
    /// Collective.
@@ -186,6 +190,9 @@ private:
    std::unique_ptr<BiphasicPreconditioner> MakePreconditioner() const;
    /// Calls @a iterate, and says why if a factorization fails.
    Result TryIterations(const std::function<Result()> &iterate);
+   mfem::real_t ResidualNorm(const mfem::Operator &system,
+                             const mfem::Vector &right_side,
+                             const mfem::Vector &x) const;
    /// Solves @a system to @a target.
    Result Iterate(const mfem::Operator &system,
                   mfem::Solver &system_preconditioner,

@@ -186,10 +186,6 @@ void BlockAmgPreconditioner::FollowTangent()
       moved = true;
       pressure.reset();
    }
-   else if (pressure)
-   {
-      pressure->Replace({schur.get()}, Jumps(jacobian.Contact()));
-   }
    tangent_changed = false;
 }
 
@@ -361,6 +357,7 @@ void BlockAmgPreconditioner::UpdatePressure(bool jumps_changed)
    if (moved || other_matrix || other_drained || jumps_changed || improved)
    {
       held = drained;
+      pressure->Replace({schur.get()}, Jumps(jacobian.Contact()));
       pressure->SetHeld(held);
       std::vector<Vector> weights(jump_weights);
       for (Vector &w : weights)

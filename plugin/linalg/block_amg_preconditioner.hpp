@@ -31,6 +31,8 @@ public:
 
    void ContactMoved() override;
    void TangentChanged() override;
+   /// The filters serve on: a kept tangent is that of a state nearby.
+   void ContactFollowed() override {}
    void Update() override;
    bool Report(const SolveAttempt &attempt) override;
    int Patience() const override { return std::numeric_limits<int>::max(); }

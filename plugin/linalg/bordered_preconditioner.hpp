@@ -31,6 +31,7 @@ public:
 
    void ContactMoved() override { inner->ContactMoved(); }
    void TangentChanged() override { inner->TangentChanged(); }
+   void ContactFollowed() override { inner->ContactFollowed(); }
    void Update() override;
    bool Report(const SolveAttempt &attempt) override;
    int Patience() const override;

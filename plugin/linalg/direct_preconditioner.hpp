@@ -34,6 +34,7 @@ public:
    void ContactMoved() override;
    /// Older factors serve as long as their iterations cost less than new ones.
    void TangentChanged() override;
+   void ContactFollowed() override { TangentChanged(); }
    void Update() override;
    bool Report(const SolveAttempt &attempt) override;
    int Patience() const override;

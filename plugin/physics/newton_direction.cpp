@@ -57,7 +57,7 @@ void NewtonDirection::KeepTangent()
 {
    const PhaseTimer timer(record.times.assembly, "assembly");
    equations.KeepContactTangent();
-   linear.TangentChanged();
+   linear.ContactFollowed();
 }
 
 void NewtonDirection::LinearizeBodies(const BodyStage &stage)

@@ -80,8 +80,7 @@ public:
 
 private:
    void Search(const ImplicitStage &stage);
-   /// Whether surfaces overlap by more than a small part of the size of their
-   /// faces.
+   /// Whether surfaces overlap by more than a fifth of the size of their faces.
    bool Overlaps() const;
    /// Moves bodies that the contact has let go of, and that a force pushes,
    /// until they touch.

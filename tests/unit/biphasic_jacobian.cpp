@@ -290,6 +290,55 @@ TEST_CASE("Contact with all its changes is solved by either method")
    }
 }
 
+TEST_CASE("A guess that serves needs no preconditioner")
+{
+   const LinearMethod method =
+      GENERATE(LinearMethod::direct, LinearMethod::block_amg);
+   const Bodies bodies(2);
+   ComplexContact contact(bodies);
+   BiphasicJacobian jacobian(*bodies.matrices, bodies.spaces.Offsets(),
+                             bodies.Prescribed(bodies.spaces.Displacement()),
+                             contact.terms);
+   jacobian.SetTimeStep(dt);
+   jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
+   LinearOptions options;
+   options.method = method;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   CAPTURE(static_cast<int>(method));
+   const Vector exact = bodies.Random(1);
+   Vector right_side(exact.Size());
+   jacobian.Mult(exact, right_side);
+   ResidualTolerance tolerance;
+   tolerance.momentum = tolerance.mass = 1e-9;
+   Vector x(exact.Size());
+   REQUIRE(solver.Solve(right_side, x, tolerance, 1.0).converged);
+   const Vector guess(x);
+   const int factorizations = solver.Work().factorizations;
+   CHECK(factorizations > 0);
+
+   // Multigrid's exact solves would be others for other operators.
+   solver.ContactMoved();
+   BiphasicLinearSolver::Result result =
+      solver.Solve(right_side, x, tolerance, 10.0, FirstGuess::given);
+   CHECK(result.converged);
+   CHECK(result.iterations == 0);
+   CHECK(solver.Work().factorizations == factorizations);
+   x -= guess;
+   CHECK(bodies.Dot(x, x) <= 1e-28 * bodies.Dot(guess, guess));
+
+   // Another right side has another solution.
+   right_side *= 1.5;
+   x = guess;
+   result = solver.Solve(right_side, x, tolerance, 10.0, FirstGuess::given);
+   CHECK(result.converged);
+   CHECK(result.iterations > 0);
+   const bool follows = method == LinearMethod::block_amg;
+   CHECK((solver.Work().factorizations > factorizations) == follows);
+   x.Add(-1.5, exact);
+   CHECK(std::sqrt(bodies.Dot(x, x)) <=
+         1e-5 * std::sqrt(bodies.Dot(exact, exact)));
+}
+
 TEST_CASE("Multipliers that are solved for close gaps as larger penalties do")
 {
    constexpr real_t compliance = 0.05;

@@ -41,6 +41,7 @@ public:
    }
    void ContactMoved() override {}
    void TangentChanged() override {}
+   void ContactFollowed() override {}
    void Update() override {}
    bool Report(const SolveAttempt &) override { return false; }
    int Patience() const override { return patience; }
