@@ -237,21 +237,37 @@ TEST_CASE("Contact with all its changes is applied as it is assembled")
    }
 }
 
+/// A system of two bodies in contact with all its changes.
+struct TouchingBodies
+{
+   TouchingBodies()
+   {
+      jacobian.SetTimeStep(dt);
+      jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
+   }
+   static LinearOptions Options(LinearMethod method)
+   {
+      LinearOptions options;
+      options.method = method;
+      return options;
+   }
+
+   const Bodies bodies{2};
+   ComplexContact contact{bodies};
+   BiphasicJacobian jacobian{*bodies.matrices, bodies.spaces.Offsets(),
+                             bodies.Prescribed(bodies.spaces.Displacement()),
+                             contact.terms};
+};
+
 TEST_CASE("Contact with all its changes is solved by either method")
 {
    const LinearMethod method =
       GENERATE(LinearMethod::direct, LinearMethod::block_amg);
-   const Bodies bodies(2);
-   ComplexContact contact(bodies);
-   const Array<int> &offsets = bodies.spaces.Offsets();
-   BiphasicJacobian jacobian(*bodies.matrices, offsets,
-                             bodies.Prescribed(bodies.spaces.Displacement()),
-                             contact.terms);
-   jacobian.SetTimeStep(dt);
-   jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
-   LinearOptions options;
-   options.method = method;
-   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   TouchingBodies touching;
+   const Bodies &bodies = touching.bodies;
+   BiphasicJacobian &jacobian = touching.jacobian;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces,
+                               TouchingBodies::Options(method));
    const bool direct = method == LinearMethod::direct;
    CAPTURE(direct);
    const Vector exact = bodies.Random(1);
@@ -264,7 +280,7 @@ TEST_CASE("Contact with all its changes is solved by either method")
       CAPTURE(change);
       if (change == 1)
       {
-         contact.LiftSome();
+         touching.contact.LiftSome();
       }
       if (change == 2)
       {
@@ -294,16 +310,11 @@ TEST_CASE("A guess that serves needs no preconditioner")
 {
    const LinearMethod method =
       GENERATE(LinearMethod::direct, LinearMethod::block_amg);
-   const Bodies bodies(2);
-   ComplexContact contact(bodies);
-   BiphasicJacobian jacobian(*bodies.matrices, bodies.spaces.Offsets(),
-                             bodies.Prescribed(bodies.spaces.Displacement()),
-                             contact.terms);
-   jacobian.SetTimeStep(dt);
-   jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
-   LinearOptions options;
-   options.method = method;
-   BiphasicLinearSolver solver(jacobian, bodies.spaces, options);
+   TouchingBodies touching;
+   const Bodies &bodies = touching.bodies;
+   BiphasicJacobian &jacobian = touching.jacobian;
+   BiphasicLinearSolver solver(jacobian, bodies.spaces,
+                               TouchingBodies::Options(method));
    CAPTURE(static_cast<int>(method));
    const Vector exact = bodies.Random(1);
    Vector right_side(exact.Size());
