@@ -237,19 +237,23 @@ TEST_CASE("Contact with all its changes is applied as it is assembled")
    }
 }
 
-/// A system of two bodies in contact with all its changes.
-struct TouchingBodies
+/// Linear systems of two bodies in contact with all its changes.
+class TouchingBodies
 {
-   TouchingBodies()
+public:
+   explicit TouchingBodies(LinearMethod method)
+      : solver(jacobian, bodies.spaces, Options(method))
    {
       jacobian.SetTimeStep(dt);
       jacobian.SetPressureDofs(bodies.Prescribed(bodies.spaces.Pressure()));
+      tolerance.momentum = tolerance.mass = 1e-9;
    }
-   static LinearOptions Options(LinearMethod method)
+   /// Whether @a x is @a factor times the exact solution.
+   void CheckSolution(Vector x, real_t factor) const
    {
-      LinearOptions options;
-      options.method = method;
-      return options;
+      x.Add(-factor, exact);
+      CHECK(std::sqrt(bodies.Dot(x, x)) <=
+            1e-5 * std::sqrt(bodies.Dot(exact, exact)));
    }
 
    const Bodies bodies{2};
@@ -257,24 +261,30 @@ struct TouchingBodies
    BiphasicJacobian jacobian{*bodies.matrices, bodies.spaces.Offsets(),
                              bodies.Prescribed(bodies.spaces.Displacement()),
                              contact.terms};
+   BiphasicLinearSolver solver;
+   const Vector exact = bodies.Random(1);
+   ResidualTolerance tolerance;
+
+private:
+   static LinearOptions Options(LinearMethod method)
+   {
+      LinearOptions options;
+      options.method = method;
+      return options;
+   }
 };
 
 TEST_CASE("Contact with all its changes is solved by either method")
 {
    const LinearMethod method =
       GENERATE(LinearMethod::direct, LinearMethod::block_amg);
-   TouchingBodies touching;
-   const Bodies &bodies = touching.bodies;
+   TouchingBodies touching(method);
    BiphasicJacobian &jacobian = touching.jacobian;
-   BiphasicLinearSolver solver(jacobian, bodies.spaces,
-                               TouchingBodies::Options(method));
+   BiphasicLinearSolver &solver = touching.solver;
    const bool direct = method == LinearMethod::direct;
    CAPTURE(direct);
-   const Vector exact = bodies.Random(1);
-   Vector right_side(exact.Size());
-   Vector found(exact.Size());
-   ResidualTolerance tolerance;
-   tolerance.momentum = tolerance.mass = 1e-9;
+   Vector right_side(jacobian.Height());
+   Vector found(jacobian.Height());
    for (const int change : {0, 1, 2})
    {
       CAPTURE(change);
@@ -286,18 +296,16 @@ TEST_CASE("Contact with all its changes is solved by either method")
       {
          jacobian.SetPressureDofs(EverySecond(jacobian.PressureDofs()));
       }
-      jacobian.Mult(exact, right_side);
+      jacobian.Mult(touching.exact, right_side);
       const BiphasicLinearSolver::Result result =
-         solver.Solve(right_side, found, tolerance, 1.0);
+         solver.Solve(right_side, found, touching.tolerance, 1.0);
       CAPTURE(result.failure, result.iterations);
       CHECK(result.converged);
       // What is kept of the factorization is exact, and what pressures are
       // let go is to some digits.
       const int most = change == 2 ? 6 : 2;
       CHECK(result.iterations <= (direct ? most : 60));
-      found -= exact;
-      CHECK(std::sqrt(bodies.Dot(found, found)) <=
-            1e-5 * std::sqrt(bodies.Dot(exact, exact)));
+      touching.CheckSolution(found, 1.0);
    }
    if (direct)
    {
@@ -310,18 +318,15 @@ TEST_CASE("A guess that serves needs no preconditioner")
 {
    const LinearMethod method =
       GENERATE(LinearMethod::direct, LinearMethod::block_amg);
-   TouchingBodies touching;
-   const Bodies &bodies = touching.bodies;
+   TouchingBodies touching(method);
    BiphasicJacobian &jacobian = touching.jacobian;
-   BiphasicLinearSolver solver(jacobian, bodies.spaces,
-                               TouchingBodies::Options(method));
+   BiphasicLinearSolver &solver = touching.solver;
    CAPTURE(static_cast<int>(method));
-   const Vector exact = bodies.Random(1);
-   Vector right_side(exact.Size());
-   jacobian.Mult(exact, right_side);
-   ResidualTolerance tolerance;
-   tolerance.momentum = tolerance.mass = 1e-9;
-   Vector x(exact.Size());
+   const Bodies &bodies = touching.bodies;
+   const ResidualTolerance &tolerance = touching.tolerance;
+   Vector right_side(jacobian.Height());
+   jacobian.Mult(touching.exact, right_side);
+   Vector x(jacobian.Height());
    REQUIRE(solver.Solve(right_side, x, tolerance, 1.0).converged);
    const Vector guess(x);
    const int factorizations = solver.Work().factorizations;
@@ -345,9 +350,7 @@ TEST_CASE("A guess that serves needs no preconditioner")
    CHECK(result.iterations > 0);
    const bool follows = method == LinearMethod::block_amg;
    CHECK((solver.Work().factorizations > factorizations) == follows);
-   x.Add(-1.5, exact);
-   CHECK(std::sqrt(bodies.Dot(x, x)) <=
-         1e-5 * std::sqrt(bodies.Dot(exact, exact)));
+   touching.CheckSolution(x, 1.5);
 }
 
 TEST_CASE("Multipliers that are solved for close gaps as larger penalties do")
