@@ -1,8 +1,6 @@
 #include "synovia/linalg/coupled_rows.hpp"
-#include "synovia/general/gather_on_all.hpp"
 #include "synovia/linalg/local_rows.hpp"
-
-#include <algorithm>
+#include "synovia/linalg/lone_unknowns.hpp"
 
 namespace synovia
 {
@@ -11,32 +9,6 @@ using namespace mfem;
 
 namespace
 {
-bool IsLone(const SparseMatrix &rows, int row, int diagonal)
-{
-   for (int k = rows.GetI()[row]; k < rows.GetI()[row + 1]; k++)
-   {
-      if (rows.GetJ()[k] != diagonal && rows.GetData()[k] != 0.0)
-      {
-         return false;
-      }
-   }
-   return true;
-}
-
-// Global rows of all ranks, ascending.
-std::vector<int> FindLone(const SparseMatrix &rows, int first, MPI_Comm comm)
-{
-   std::vector<int> mine;
-   for (int i = 0; i < rows.Height(); i++)
-   {
-      if (IsLone(rows, i, first + i))
-      {
-         mine.push_back(first + i);
-      }
-   }
-   return GatherOnAll(mine, comm);
-}
-
 template <typename Keeps>
 void KeepEntries(SparseMatrix &rows, const Keeps &keeps)
 {
@@ -73,14 +45,12 @@ SparseMatrix CoupledRows(const HypreParMatrix &matrix, DroppedZeros dropped)
                   [&](int row, int column) { return column == first + row; });
       return rows;
    }
-   const std::vector<int> lone = FindLone(rows, first, matrix.GetComm());
-   const auto is_lone = [&](int row)
-   { return std::binary_search(lone.begin(), lone.end(), row); };
+   const LoneUnknowns lone(rows, first, matrix.GetComm());
    KeepEntries(rows,
                [&](int row, int column)
                {
                   return column == first + row ||
-                         (!is_lone(first + row) && !is_lone(column));
+                         (!lone.Has(first + row) && !lone.Has(column));
                });
    return rows;
 }

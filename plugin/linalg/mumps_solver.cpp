@@ -9,7 +9,6 @@
 #include "synovia/linalg/pattern_hash.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace synovia
 {
@@ -18,25 +17,27 @@ using namespace mfem;
 
 namespace
 {
-/// Rows from @a first on, only the lower triangle of symmetric ones, in global
-/// numbers from 1.
+/// This rank's rows but for lone unknowns, only the lower triangle of symmetric
+/// ones, in MUMPS' numbers.
 template <typename Number>
 struct Entries
 {
-   Entries(const SparseMatrix &mine, int first, bool lower_triangle)
+   Entries(const SparseMatrix &mine, int first, const Array<int> &others,
+           const LoneUnknowns &lone, bool lower_triangle)
    {
       rows.reserve(mine.NumNonZeroElems());
       columns.reserve(mine.NumNonZeroElems());
       values.reserve(mine.NumNonZeroElems());
-      for (int i = 0; i < mine.Height(); i++)
+      for (const int i : others)
       {
+         const int row = lone.NumberOfOther(first + i);
          for (int k = mine.GetI()[i]; k < mine.GetI()[i + 1]; k++)
          {
             const int column = mine.GetJ()[k];
             if (!lower_triangle || column <= first + i)
             {
-               rows.push_back(first + i + 1);
-               columns.push_back(column + 1);
+               rows.push_back(row + 1);
+               columns.push_back(lone.NumberOfOther(column) + 1);
                values.push_back(static_cast<Number>(mine.GetData()[k]));
             }
          }
@@ -65,23 +66,29 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    const auto &matrix = dynamic_cast<const HypreParMatrix &>(op);
    height = width = matrix.Height();
    first_row = matrix.RowPart()[0];
+   rows = matrix.GetGlobalNumRows();
    route.reset();
 
    const SparseMatrix coupled =
       CoupledRows(matrix, KeepsOrdering() ? DroppedZeros::of_lone_unknowns
                                           : DroppedZeros::all);
+   Part(coupled);
    const std::uint64_t now = PatternHash(coupled).Value();
    const bool reorder = AnyRank(!instance || now != pattern, comm);
    pattern = now;
    if (reorder)
    {
       instance.reset();
+      if (CountOfOthers() == 0)
+      {
+         return;
+      }
       instance = std::make_unique<MumpsInstance<Number>>(comm, kind, options);
       instance->WorkspaceMargin() = workspace_margin;
    }
-   Entries<Number> entries(coupled, static_cast<int>(first_row),
-                           kind != MatrixKind::general);
-   instance->data.n = static_cast<int>(matrix.GetGlobalNumRows());
+   Entries<Number> entries(coupled, static_cast<int>(first_row), others_here,
+                           *lone, kind != MatrixKind::general);
+   instance->data.n = CountOfOthers();
    instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
    instance->data.irn_loc = entries.rows.data();
    instance->data.jcn_loc = entries.columns.data();
@@ -94,10 +101,38 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    {
       Fail("factorize the matrix");
    }
-   right_side_rows.resize(height);
-   std::iota(right_side_rows.begin(), right_side_rows.end(),
-             static_cast<int>(first_row) + 1);
+   right_side_rows.clear();
+   for (const int row : others_here)
+   {
+      right_side_rows.push_back(
+         lone->NumberOfOther(static_cast<int>(first_row) + row) + 1);
+   }
    solution_rows.resize(instance->SolutionSize());
+}
+
+template <typename Number>
+void MumpsSolver<Number>::Part(const SparseMatrix &coupled)
+{
+   const int first = static_cast<int>(first_row);
+   lone.emplace(coupled, first, comm);
+   others_here.SetSize(0);
+   lone_here.SetSize(0);
+   for (int i = 0; i < height; i++)
+   {
+      (lone->Has(first + i) ? lone_here : others_here).Append(i);
+   }
+   lone_inverse.SetSize(lone_here.Size());
+   for (int i = 0; i < lone_here.Size(); i++)
+   {
+      // Nothing else is there.
+      lone_inverse[i] = 1.0 / coupled.GetData()[coupled.GetI()[lone_here[i]]];
+   }
+}
+
+template <typename Number>
+int MumpsSolver<Number>::CountOfOthers() const
+{
+   return static_cast<int>(rows) - static_cast<int>(lone->Rows().size());
 }
 
 template <typename Number>
@@ -114,10 +149,11 @@ template <typename Number>
 bool MumpsSolver<Number>::Analyze()
 {
    constexpr double most_growth = 1.3;
-   const int rows = instance->data.n;
-   if (ordering.rows == rows && options.compression == 0.0)
+   const std::vector<int> others = lone->Others(static_cast<int>(rows));
+   if (ordering.size == rows && options.compression == 0.0)
    {
-      if (!instance->AnalyzeWith(ordering.positions))
+      std::vector<int> positions = Positions(others);
+      if (!instance->AnalyzeWith(positions))
       {
          return false;
       }
@@ -130,8 +166,43 @@ bool MumpsSolver<Number>::Analyze()
    {
       return false;
    }
-   ordering = {instance->Positions(), instance->Operations(), rows};
+   const std::vector<int> positions = instance->Positions();
+   ordering.rows.resize(positions.size());
+   for (std::size_t i = 0; i < positions.size(); i++)
+   {
+      ordering.rows[positions[i] - 1] = others[i];
+   }
+   ordering.operations = instance->Operations();
+   ordering.size = rows;
    return true;
+}
+
+template <typename Number>
+std::vector<int>
+MumpsSolver<Number>::Positions(const std::vector<int> &others) const
+{
+   std::vector<char> had(rows, 0);
+   for (const int row : ordering.rows)
+   {
+      had[row] = 1;
+   }
+   std::vector<int> positions(others.size());
+   int next = 1;
+   for (std::size_t i = 0; i < others.size(); i++)
+   {
+      if (!had[others[i]])
+      {
+         positions[i] = next++;
+      }
+   }
+   for (const int row : ordering.rows)
+   {
+      if (!lone->Has(row))
+      {
+         positions[lone->NumberOfOther(row)] = next++;
+      }
+   }
+   return positions;
 }
 
 template <typename Number>
@@ -178,25 +249,36 @@ template <typename Number>
 void MumpsSolver<Number>::ArrayMult(const Array<const Vector *> &x,
                                     Array<Vector *> &y) const
 {
-   MFEM_VERIFY(instance, "there is no factorization");
+   MFEM_VERIFY(lone, "there is no factorization");
+   for (int i = 0; i < x.Size(); i++)
+   {
+      SolveLone(*x[i], *y[i]);
+   }
+   if (!instance)
+   {
+      return;
+   }
    const ProfiledWork work("solve", instance->BytesOfSolve());
    const int count = x.Size();
+   const int rows_here = others_here.Size();
    std::vector<Number> right_sides;
-   right_sides.reserve(std::size_t(count) * height);
+   right_sides.reserve(std::size_t(count) * rows_here);
    for (const Vector *one : x)
    {
-      one->HostRead();
-      right_sides.insert(right_sides.end(), one->begin(), one->end());
+      for (const int row : others_here)
+      {
+         right_sides.push_back(static_cast<Number>((*one)[row]));
+      }
    }
-   const int rows_here = static_cast<int>(solution_rows.size());
-   std::vector<Number> solutions(std::size_t(count) * rows_here);
+   const int solution_size = static_cast<int>(solution_rows.size());
+   std::vector<Number> solutions(std::size_t(count) * solution_size);
 
    auto &data = instance->data;
    data.nrhs = count;
-   data.nloc_rhs = data.lrhs_loc = height;
+   data.nloc_rhs = data.lrhs_loc = rows_here;
    data.irhs_loc = const_cast<int *>(right_side_rows.data());
    data.rhs_loc = right_sides.data();
-   data.lsol_loc = rows_here;
+   data.lsol_loc = solution_size;
    data.isol_loc = solution_rows.data();
    data.sol_loc = solutions.data();
    if (!instance->Run(MumpsJob::solve))
@@ -206,19 +288,33 @@ void MumpsSolver<Number>::ArrayMult(const Array<const Vector *> &x,
 
    if (!route)
    {
-      std::vector<HYPRE_BigInt> rows;
+      std::vector<HYPRE_BigInt> solved;
       for (const int row : solution_rows)
       {
-         rows.push_back(row - 1);
+         solved.push_back(row - 1);
       }
-      route = std::make_unique<RowRoute>(rows, first_row, comm);
+      route = std::make_unique<RowRoute>(
+         solved, lone->NumberOfOther(static_cast<int>(first_row)), comm);
    }
-   Vector here(rows_here);
+   Vector solution(solution_size);
+   Vector brought(rows_here);
    for (int i = 0; i < count; i++)
    {
-      std::copy_n(solutions.begin() + std::size_t(i) * rows_here, rows_here,
-                  here.begin());
-      route->Bring(here.HostRead(), *y[i]);
+      std::copy_n(solutions.begin() + std::size_t(i) * solution_size,
+                  solution_size, solution.begin());
+      route->Bring(solution.HostRead(), brought);
+      y[i]->SetSubVector(others_here, brought);
+   }
+}
+
+template <typename Number>
+void MumpsSolver<Number>::SolveLone(const Vector &x, Vector &y) const
+{
+   x.HostRead();
+   y.HostWrite();
+   for (int i = 0; i < lone_here.Size(); i++)
+   {
+      y[lone_here[i]] = lone_inverse[i] * x[lone_here[i]];
    }
 }
 

@@ -4,9 +4,11 @@
 
 #ifdef MFEM_USE_MUMPS
 
+#include "synovia/linalg/lone_unknowns.hpp"
 #include "synovia/linalg/row_route.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace synovia
@@ -40,18 +42,30 @@ private:
    /// An ordering that MUMPS found.
    struct Ordering
    {
-      /// As MumpsInstance has them.
-      std::vector<int> positions;
+      /// Rows of the matrix in the order of elimination, but for lone
+      /// unknowns; on the root.
+      std::vector<int> rows;
       double operations = 0.0;
-      int rows = 0;
+      /// Of the matrix.
+      HYPRE_BigInt size = 0;
    };
 
    /// Whether an ordering is to serve for several patterns, or a pattern for
    /// all that may touch.
    bool KeepsOrdering() const;
-   bool Analyze();
+   /// Parts this rank's rows into lone unknowns and those that MUMPS gets.
+   void Part(const mfem::SparseMatrix &coupled);
+   /// How many unknowns MUMPS gets, of all ranks.
+   int CountOfOthers() const;
+   /// Sets @a y at lone unknowns.
+   void SolveLone(const mfem::Vector &x, mfem::Vector &y) const;
    /// False if it fails for good.
+   bool Analyze();
    bool Factorize();
+   /// Where a matrix's ordering puts the @a others, its rows without lone
+   /// unknowns, for MumpsInstance. Those that were lone come first.
+   std::vector<int> Positions(const std::vector<int> &others) const;
+
    /// Throws why, and forgets the factors.
    [[noreturn]] void Fail(const std::string &task);
 
@@ -60,12 +74,19 @@ private:
    DirectOptions options;
    std::unique_ptr<MumpsInstance<Number>> instance;
    std::uint64_t pattern = 0;
+   std::optional<LoneUnknowns> lone;
+   /// This rank's rows that MUMPS gets, and those of lone unknowns with the
+   /// inverse of their diagonal.
+   mfem::Array<int> others_here;
+   mfem::Array<int> lone_here;
+   mfem::Vector lone_inverse;
    Ordering ordering;
    /// In percent; kept for the matrices to come once one has needed more.
    int workspace_margin = 20;
    HYPRE_BigInt first_row = 0;
-   /// Rows as MUMPS counts, from 1: of right sides, and of solutions where it
-   /// leaves them.
+   HYPRE_BigInt rows = 0;
+   /// Rows as MUMPS counts, from 1 and without lone unknowns: of right sides,
+   /// and of solutions where it leaves them.
    std::vector<int> right_side_rows;
    mutable std::vector<int> solution_rows;
    /// Known once there is a solution.

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -188,6 +189,44 @@ TEST_CASE("A direct solver takes matrices of one size with other entries")
    REQUIRE(few->NNZ() > first->NNZ());
    REQUIRE(many->NNZ() > 2 * first->NNZ());
    CheckOneByOne(*first, {few.get(), many.get(), first.get()});
+}
+
+TEST_CASE("A direct solver takes unknowns that nothing acts on, however many")
+{
+   ParMesh mesh = Cube(4);
+   const std::unique_ptr<HypreParMatrix> first = MakeMatrix(mesh, 1, 1.0);
+   REQUIRE(first->Height() > 0);
+   // Those with these remainders, as some that are held and others that are
+   // held next, and all; then all but those of the last rank.
+   const std::vector<std::vector<int>> held{{0}, {1, 2}, {1}, {0, 1, 2}};
+   std::vector<std::unique_ptr<HypreParMatrix>> others;
+   std::vector<const HypreParMatrix *> borrowed;
+   const auto add = [&](const Array<int> &dofs)
+   {
+      others.push_back(std::make_unique<HypreParMatrix>(*first));
+      others.back()->EliminateBC(dofs, Operator::DIAG_KEEP);
+      borrowed.push_back(others.back().get());
+   };
+   for (const std::vector<int> &remainders : held)
+   {
+      Array<int> dofs;
+      for (int i = 0; i < first->Height(); i++)
+      {
+         if (std::count(remainders.begin(), remainders.end(), i % 3) > 0)
+         {
+            dofs.Append(i);
+         }
+      }
+      add(dofs);
+   }
+   Array<int> all_but_last;
+   for (int i = 0;
+        Mpi::WorldRank() + 1 < Mpi::WorldSize() && i < first->Height(); i++)
+   {
+      all_but_last.Append(i);
+   }
+   add(all_but_last);
+   CheckOneByOne(*first, borrowed);
 }
 
 TEST_CASE("Factors in single precision are a preconditioner")
