@@ -36,12 +36,9 @@ NamedMesh ReadCaseMesh(const CaseFile &setup, MPI_Comm comm)
    try
    {
       ReadOptions options = setup.mesh.options;
-      if (setup.space.deformation == Deformation::finite)
+      for (const ContactCase &contact : setup.contacts)
       {
-         for (const ContactCase &contact : setup.contacts)
-         {
-            options.contacts.push_back({contact.source, contact.destination});
-         }
+         options.contacts.push_back({contact.source, contact.destination});
       }
       for (const RigidBodyCase &body : setup.rigid_bodies)
       {

@@ -117,8 +117,8 @@ struct ReadOptions
    mfem::real_t scale = 1.0;
    /// How often every element is split uniformly before distribution.
    int refine = 0;
-   /// Where bodies will touch and contact costs as much as they do: ranks share
-   /// it as evenly as the elements.
+   /// Where bodies will touch: ranks share the contact as evenly as the
+   /// elements.
    std::vector<FacingSurfaces> contacts;
    /// What is added to the mesh, after it has been scaled; it is split as well.
    std::vector<RigidShape> shapes;
