@@ -234,6 +234,7 @@ void MumpsSolver<Number>::Fail(const std::string &task)
 {
    const std::string reason = instance->Explain(task);
    instance.reset();
+   lone.reset();
    throw FactorizationError(reason);
 }
 
