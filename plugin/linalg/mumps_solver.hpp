@@ -65,7 +65,6 @@ private:
    /// Where a matrix's ordering puts the @a others, its rows without lone
    /// unknowns, for MumpsInstance. Those that were lone come first.
    std::vector<int> Positions(const std::vector<int> &others) const;
-
    /// Throws why, and forgets the factors.
    [[noreturn]] void Fail(const std::string &task);
 
@@ -84,6 +83,7 @@ private:
    /// In percent; kept for the matrices to come once one has needed more.
    int workspace_margin = 20;
    HYPRE_BigInt first_row = 0;
+   /// Of all ranks.
    HYPRE_BigInt rows = 0;
    /// Rows as MUMPS counts, from 1 and without lone unknowns: of right sides,
    /// and of solutions where it leaves them.
