@@ -1,6 +1,5 @@
 #include "synovia/linalg/coupled_rows.hpp"
 #include "synovia/linalg/local_rows.hpp"
-#include "synovia/linalg/lone_unknowns.hpp"
 
 namespace synovia
 {
@@ -35,24 +34,19 @@ void KeepEntries(SparseMatrix &rows, const Keeps &keeps)
 }
 } // namespace
 
-SparseMatrix CoupledRows(const HypreParMatrix &matrix, DroppedZeros dropped)
+CoupledMatrix CoupledRows(const HypreParMatrix &matrix, DroppedZeros dropped)
 {
-   SparseMatrix rows = LocalRows(matrix);
    const int first = static_cast<int>(matrix.RowPart()[0]);
-   if (dropped == DroppedZeros::all)
-   {
-      KeepEntries(rows,
-                  [&](int row, int column) { return column == first + row; });
-      return rows;
-   }
-   const LoneUnknowns lone(rows, first, matrix.GetComm());
-   KeepEntries(rows,
+   CoupledMatrix coupled(LocalRows(matrix), first, matrix.GetComm());
+   const LoneUnknowns &lone = coupled.lone;
+   KeepEntries(coupled.rows,
                [&](int row, int column)
                {
                   return column == first + row ||
-                         (!lone.Has(first + row) && !lone.Has(column));
+                         (dropped == DroppedZeros::of_lone_unknowns &&
+                          !lone.Has(first + row) && !lone.Has(column));
                });
-   return rows;
+   return coupled;
 }
 
 } // namespace synovia

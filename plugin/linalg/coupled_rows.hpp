@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mfem.hpp"
+#include "synovia/linalg/lone_unknowns.hpp"
 
 namespace synovia
 {
@@ -16,9 +16,22 @@ enum class DroppedZeros
    all
 };
 
-/// This rank's rows of a distributed matrix, with global columns, without
-/// zeros beside the diagonal. Collective.
-mfem::SparseMatrix CoupledRows(const mfem::HypreParMatrix &matrix,
-                               DroppedZeros dropped);
+/// This rank's rows of a distributed matrix, with global columns, without the
+/// dropped zeros beside the diagonal, and which unknowns of all ranks are lone.
+struct CoupledMatrix
+{
+   CoupledMatrix(mfem::SparseMatrix &&rows_, int first, MPI_Comm comm)
+      : lone(rows_, first, comm)
+   {
+      rows.Swap(rows_);
+   }
+
+   mfem::SparseMatrix rows;
+   LoneUnknowns lone;
+};
+
+/// Collective.
+CoupledMatrix CoupledRows(const mfem::HypreParMatrix &matrix,
+                          DroppedZeros dropped);
 
 } // namespace synovia

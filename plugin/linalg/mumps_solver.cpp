@@ -9,6 +9,7 @@
 #include "synovia/linalg/pattern_hash.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace synovia
 {
@@ -69,12 +70,15 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
    rows = matrix.GetGlobalNumRows();
    route.reset();
 
-   const SparseMatrix coupled =
+   CoupledMatrix coupled =
       CoupledRows(matrix, KeepsOrdering() ? DroppedZeros::of_lone_unknowns
                                           : DroppedZeros::all);
-   Part(coupled);
-   const std::uint64_t now = PatternHash(coupled).Value();
-   const bool reorder = AnyRank(!instance || now != pattern, comm);
+   lone = std::move(coupled.lone);
+   Part(coupled.rows);
+   const std::uint64_t now = PatternHash(coupled.rows).Value();
+   // A zero on the diagonal makes an unknown no lone one, in the same pattern.
+   const bool reorder = AnyRank(
+      !instance || now != pattern || instance->data.n != CountOfOthers(), comm);
    pattern = now;
    if (reorder)
    {
@@ -86,8 +90,8 @@ void MumpsSolver<Number>::SetOperator(const Operator &op)
       instance = std::make_unique<MumpsInstance<Number>>(comm, kind, options);
       instance->WorkspaceMargin() = workspace_margin;
    }
-   Entries<Number> entries(coupled, static_cast<int>(first_row), others_here,
-                           *lone, kind != MatrixKind::general);
+   Entries<Number> entries(coupled.rows, static_cast<int>(first_row),
+                           others_here, *lone, kind != MatrixKind::general);
    instance->data.n = CountOfOthers();
    instance->data.nnz_loc = static_cast<MUMPS_INT8>(entries.values.size());
    instance->data.irn_loc = entries.rows.data();
@@ -114,7 +118,6 @@ template <typename Number>
 void MumpsSolver<Number>::Part(const SparseMatrix &coupled)
 {
    const int first = static_cast<int>(first_row);
-   lone.emplace(coupled, first, comm);
    others_here.SetSize(0);
    lone_here.SetSize(0);
    for (int i = 0; i < height; i++)

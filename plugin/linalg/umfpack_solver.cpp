@@ -37,8 +37,9 @@ UmfpackSolver::UmfpackSolver(int memory_limit_)
 
 void UmfpackSolver::SetOperator(const Operator &op)
 {
-   SparseMatrix matrix = CoupledRows(dynamic_cast<const HypreParMatrix &>(op),
-                                     DroppedZeros::of_lone_unknowns);
+   CoupledMatrix coupled = CoupledRows(dynamic_cast<const HypreParMatrix &>(op),
+                                       DroppedZeros::of_lone_unknowns);
+   SparseMatrix &matrix = coupled.rows;
    MFEM_VERIFY(matrix.Height() == matrix.Width(),
                "UMFPACK needs all rows of a square matrix");
    matrix.SortColumnIndices();

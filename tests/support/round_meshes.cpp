@@ -1,4 +1,5 @@
 #include "support/round_meshes.hpp"
+#include "support/boxes.hpp"
 
 #include <cmath>
 #include <map>
@@ -218,6 +219,36 @@ NamedMesh MakeBallOctant(const RoundOptions &options)
       mesh, {{"body", {1}}},
       {{"x0", {1}}, {"y0", {2}}, {"z0", {3}}, {"surface", {4}}},
       MPI_COMM_WORLD);
+}
+
+NamedMesh MakeQuarterRing(const RingOptions &options)
+{
+   BoxOptions box;
+   box.nx = options.around;
+   box.ny = 1;
+   box.nz = options.across;
+   box.grading = options.grading;
+   Mesh mesh = MakeBoxMesh(box);
+   mesh.SetCurvature(options.order);
+   mesh.Transform(
+      [&options](const Vector &x, Vector &y)
+      {
+         const real_t angle = 0.5 * M_PI * x[0];
+         const real_t r =
+            options.inner + (options.outer - options.inner) * x[2];
+         y[0] = r * std::cos(angle);
+         y[1] = r * std::sin(angle);
+         y[2] = options.height * x[1];
+      });
+   // Of the box z0, y0, x1, y1, x0 and z1.
+   return DistributeMesh(mesh, {{"body", {1}}},
+                         {{"inside", {1}},
+                          {"z0", {2}},
+                          {"x0", {3}},
+                          {"z1", {4}},
+                          {"y0", {5}},
+                          {"outside", {6}}},
+                         MPI_COMM_WORLD);
 }
 
 } // namespace synovia

@@ -75,7 +75,8 @@ TEST_CASE("Zeros of lone unknowns, or all, are no entries")
    const DroppedZeros dropped =
       GENERATE(DroppedZeros::of_lone_unknowns, DroppedZeros::all);
    const Ring ring;
-   const SparseMatrix rows = CoupledRows(*ring.matrix, dropped);
+   const CoupledMatrix coupled = CoupledRows(*ring.matrix, dropped);
+   const SparseMatrix &rows = coupled.rows;
    REQUIRE(rows.Height() == rows_of_rank);
    for (int i = 0; i < rows_of_rank; i++)
    {

@@ -16,6 +16,7 @@
 // 4. The fluid that a flux presses into a body is what its volume grows by.
 
 #include "support/boxes.hpp"
+#include "support/round_meshes.hpp"
 #include "synovia/fem/total_lagrangian_form.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/materials/permeabilities/constant_permeability.hpp"
@@ -194,32 +195,14 @@ TEST_CASE("A tube widens by 40 % under the pressure of the closed form")
    const auto integral = [](real_t l) { return std::log(l) - 0.5 / (l * l); };
    const real_t pressure = mu * (integral(widened) - integral(outer_stretch));
 
-   BoxOptions box;
-   box.nx = 4;
-   box.ny = 3;
-   box.nz = 1;
-   Mesh wall = MakeBoxMesh(box);
-   wall.SetCurvature(2);
-   wall.Transform(
-      [](const Vector &x, Vector &y)
-      {
-         const real_t r = inner + x[0] * (outer - inner);
-         const real_t angle = 0.5 * M_PI * x[1];
-         y[0] = r * std::cos(angle);
-         y[1] = r * std::sin(angle);
-         y[2] = 0.2 * x[2];
-      });
-   NamedMesh mesh = DistributeMesh(wall, {{"wall", {1}}},
-                                   {{"z0", {1}},
-                                    {"y0", {2}},
-                                    {"outside", {3}},
-                                    {"x0", {4}},
-                                    {"inside", {5}},
-                                    {"z1", {6}}},
-                                   MPI_COMM_WORLD);
+   RingOptions wall;
+   wall.inner = inner;
+   wall.outer = outer;
+   wall.height = 0.2;
+   NamedMesh mesh = MakeQuarterRing(wall);
    const Laws laws;
    BiphasicProblem problem(mesh, Finite(2));
-   problem.SetMaterial("wall", laws.solid, laws.permeability);
+   problem.SetMaterial("body", laws.solid, laws.permeability);
    problem.PrescribeDisplacement("x0", 0, 0.0);
    problem.PrescribeDisplacement("y0", 1, 0.0);
    problem.PrescribeDisplacement("z0", 2, 0.0);
