@@ -44,8 +44,7 @@ bool EvaluatedBalance::IsAt(const BodyStage &stage) const
 {
    const bool same = known && stage.dt == dt && stage.time == time &&
                      AreEqual(stage.u, u) && AreEqual(stage.p, p) &&
-                     AreEqual(stage.p0, p0) &&
-                     AreEqual(stage.conserved0, conserved0);
+                     AreEqual(stage.p0, p0);
    return !AnyRank(!same, comm);
 }
 
@@ -70,7 +69,6 @@ void EvaluatedBalance::Set(const BodyStage &stage)
    u = stage.u;
    p = stage.p;
    p0 = stage.p0;
-   conserved0 = stage.conserved0;
 }
 
 bool EvaluatedBalance::IsFinite() const

@@ -13,7 +13,8 @@ class EvaluatedBalance
 public:
    explicit EvaluatedBalance(MPI_Comm comm_) : comm(comm_) {}
 
-   /// Whether it was evaluated at @a stage, on all ranks. Collective.
+   /// Whether it was evaluated at @a stage, on all ranks; what is conserved
+   /// must be the same, Forget() otherwise. Collective.
    bool IsAt(const BodyStage &stage) const;
    /// Whether it was evaluated with this displacement, on all ranks.
    /// Collective.
@@ -48,7 +49,6 @@ private:
    mfem::Vector u;
    mfem::Vector p;
    mfem::Vector p0;
-   mfem::Vector conserved0;
 };
 
 } // namespace synovia

@@ -80,7 +80,7 @@ void AddInflow(LoadedFace &face, real_t flux, Vector &inflow)
 }
 
 void SubtractForceChange(LoadedFace &face, const Traction &traction,
-                         LocalMatrix &stiffness)
+                         AssembledMatrix &stiffness)
 {
    const int nodes = face.Shape().Size();
    DenseMatrix local(3 * nodes);
@@ -110,7 +110,7 @@ void SubtractForceChange(LoadedFace &face, const Traction &traction,
 }
 
 // The force of the fluid's pressure is -int p n.w da.
-void AddPressureChange(LoadedFace &face, LocalMatrix &coupling)
+void AddPressureChange(LoadedFace &face, AssembledMatrix &coupling)
 {
    const int nodes = face.Shape().Size();
    DenseMatrix local(face.PressureDofs().Size(), 3 * nodes);
@@ -131,7 +131,7 @@ void AddPressureChange(LoadedFace &face, LocalMatrix &coupling)
          }
       }
    }
-   coupling.Add(face.PressureDofs(), face.DisplacementDofs(), local);
+   coupling.AddTransposed(face.DisplacementDofs(), face.PressureDofs(), local);
 }
 
 // The increment of the displacement at the point of a face.
@@ -172,7 +172,7 @@ void AddSweptInflow(LoadedFace &face, const FollowerLoads::State &state,
 }
 
 void SubtractSweptChange(LoadedFace &face, const FollowerLoads::State &state,
-                         LocalMatrix &flow_change)
+                         AssembledMatrix &flow_change)
 {
    const int nodes = face.Shape().Size();
    DenseMatrix local(face.PressureDofs().Size(), 3 * nodes);
@@ -200,7 +200,7 @@ void SubtractSweptChange(LoadedFace &face, const FollowerLoads::State &state,
 }
 
 void SubtractInflowChange(LoadedFace &face, real_t volume,
-                          LocalMatrix &flow_change)
+                          AssembledMatrix &flow_change)
 {
    const int nodes = face.Shape().Size();
    DenseMatrix local(face.PressureDofs().Size(), 3 * nodes);
@@ -283,9 +283,10 @@ void FollowerLoads::AddLoads(const State &state, Vector &forces,
                });
 }
 
-void FollowerLoads::AddDerivatives(const State &state, LocalMatrix &stiffness,
-                                   LocalMatrix &coupling,
-                                   LocalMatrix &flow_change) const
+void FollowerLoads::AddDerivatives(const State &state,
+                                   AssembledMatrix &stiffness,
+                                   AssembledMatrix &coupling,
+                                   AssembledMatrix &flow_change) const
 {
    ForEachLoad(tractions, state,
                [&](LoadedFace &face, real_t value)

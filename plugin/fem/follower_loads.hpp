@@ -1,7 +1,7 @@
 #pragma once
 
+#include "synovia/fem/assembled_matrix.hpp"
 #include "synovia/fem/biphasic_spaces.hpp"
-#include "synovia/fem/local_matrix.hpp"
 #include "synovia/general/load_curve.hpp"
 
 #include <vector>
@@ -60,10 +60,11 @@ public:
 
    /// Subtracts their derivatives by the displacement: the forces' from
    /// @a stiffness, and dt x the inflow's from @a flow_change,
-   /// pressure x displacement. Adds the transpose of the derivative of the
-   /// forces by the pressure to @a coupling, pressure x displacement.
-   void AddDerivatives(const State &state, LocalMatrix &stiffness,
-                       LocalMatrix &coupling, LocalMatrix &flow_change) const;
+   /// pressure x displacement. Adds the derivative of the forces by the
+   /// pressure to @a coupling, displacement x pressure.
+   void AddDerivatives(const State &state, AssembledMatrix &stiffness,
+                       AssembledMatrix &coupling,
+                       AssembledMatrix &flow_change) const;
 
 private:
    struct Load

@@ -179,8 +179,8 @@ void GravityLoads::AddLoads(const FollowerLoads::State &state, Vector &forces,
 }
 
 void GravityLoads::AddDerivatives(const FollowerLoads::State &state,
-                                  LocalMatrix &stiffness,
-                                  LocalMatrix &flow_change) const
+                                  AssembledMatrix &stiffness,
+                                  AssembledMatrix &flow_change) const
 {
    const Vector3<> b = Acceleration(state.t);
    DenseMatrix forces;

@@ -32,7 +32,8 @@ public:
                  mfem::Vector &inflow) const;
    /// Subtracts their derivatives by the displacement, as FollowerLoads does.
    void AddDerivatives(const FollowerLoads::State &state,
-                       LocalMatrix &stiffness, LocalMatrix &flow_change) const;
+                       AssembledMatrix &stiffness,
+                       AssembledMatrix &flow_change) const;
 
 private:
    /// Values of the displacement's shape functions at the element's points,

@@ -19,6 +19,16 @@ void SumIntoTrueDofs(const ParFiniteElementSpace &space, const Vector &local,
    space.GetProlongationMatrix()->MultTranspose(local, true_dofs);
 }
 
+// With the pattern of the stiffness in order 1, where all spaces have the same
+// nodes.
+AssembledMatrix MakeMatrix(ParFiniteElementSpace &rows,
+                           ParFiniteElementSpace &columns, int order,
+                           const AssembledMatrix &stiffness)
+{
+   return order == 1 ? AssembledMatrix(rows, columns, stiffness.Pattern())
+                     : AssembledMatrix(rows, columns);
+}
+
 void VerifyLaws(const NamedMesh &mesh, const MaterialTable &materials)
 {
    for (const int attribute : mesh.Get().attributes)
@@ -44,11 +54,14 @@ TotalLagrangianForm::TotalLagrangianForm(
      matrices((VerifyLaws(mesh, materials), spaces), materials),
      balance(spaces.GetComm()), start_balance(spaces.GetComm()),
      stiffness(spaces.Displacement(), spaces.Displacement()),
-     growth(spaces.Pressure(), spaces.Displacement()),
-     divergence(spaces.Pressure(), spaces.Displacement()),
-     darcy(spaces.Pressure(), spaces.Pressure()), element(spaces),
-     damping(spaces, materials, element), tangent(spaces), permeability(spaces),
-     u(spaces.Displacement().GetVSize()), u0(u.Size()),
+     growth_transpose(MakeMatrix(spaces.Displacement(), spaces.Pressure(),
+                                 spaces.Order(), stiffness)),
+     divergence(MakeMatrix(spaces.Pressure(), spaces.Displacement(),
+                           spaces.Order(), stiffness)),
+     darcy(MakeMatrix(spaces.Pressure(), spaces.Pressure(), spaces.Order(),
+                      stiffness)),
+     element(spaces), damping(spaces, materials, element), tangent(spaces),
+     permeability(spaces), u(spaces.Displacement().GetVSize()), u0(u.Size()),
      p(spaces.Pressure().GetVSize())
 {
    matrices.symmetric = false;
@@ -237,11 +250,11 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage,
    local.momentum.SetSize(u.Size());
    local.growth.SetSize(p.Size());
    local.flow.SetSize(p.Size());
-   local.volume_ratios.SetSize(element.AllPoints());
    local.momentum = 0.0;
    local.growth = 0.0;
    local.flow = 0.0;
-   local.volume_ratios = 1.0;
+   evaluated.volume_ratios.SetSize(element.AllPoints());
+   evaluated.volume_ratios = 1.0;
    if (HasLoads())
    {
       AddLocalLoads(stage, local.momentum, local.flow);
@@ -253,7 +266,7 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage,
       if (!IsRigid(e))
       {
          element.Set(e, u, p);
-         AddElement(stage);
+         AddElement(stage, evaluated.volume_ratios);
          if (barrier)
          {
             barrier->Set(e, u, p);
@@ -264,7 +277,6 @@ void TotalLagrangianForm::Evaluate(const BodyStage &stage,
    SumIntoTrueDofs(spaces.Displacement(), local.momentum, evaluated.momentum);
    SumIntoTrueDofs(spaces.Pressure(), local.growth, evaluated.growth);
    SumIntoTrueDofs(spaces.Pressure(), local.flow, evaluated.flow);
-   evaluated.volume_ratios = local.volume_ratios;
    for (const SpringFoundation &spring : springs)
    {
       spring.Matrix().Mult(1.0, stage.u, 1.0, evaluated.momentum);
@@ -314,7 +326,8 @@ void TotalLagrangianForm::AddLoads(const BodyStage &stage,
    momentum += forces;
 }
 
-void TotalLagrangianForm::AddElement(const BodyStage &stage) const
+void TotalLagrangianForm::AddElement(const BodyStage &stage,
+                                     Vector &volume_ratios) const
 {
    const Material &material = materials.Get(element.Attribute());
    const bool wet = material.HasFluid();
@@ -362,7 +375,7 @@ void TotalLagrangianForm::AddElement(const BodyStage &stage) const
          flows[3 * q + c] = fluid[c];
       }
       const int number = element.FirstPoint() + q;
-      local.volume_ratios[number] = J;
+      volume_ratios[number] = J;
       growths[q] = weight * (J - stage.conserved0[number]);
       supplies[q] = -weight * stage.dt * J * material.supply.Rate(pressure);
    }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "synovia/fem/assembled_matrix.hpp"
 #include "synovia/fem/body_element.hpp"
 #include "synovia/fem/body_form.hpp"
 #include "synovia/fem/corner_barrier.hpp"
@@ -9,11 +10,11 @@
 #include "synovia/fem/evaluated_balance.hpp"
 #include "synovia/fem/follower_loads.hpp"
 #include "synovia/fem/gravity_loads.hpp"
-#include "synovia/fem/local_matrix.hpp"
 #include "synovia/fem/smooth_stabilization.hpp"
 #include "synovia/fem/spring_foundation.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -91,8 +92,8 @@ private:
    void AddLocalLoads(const BodyStage &stage, mfem::Vector &forces,
                       mfem::Vector &inflow) const;
    /// Adds an element's part to the local sums; not finite where its state is
-   /// impossible. Sets the volume ratios at its points.
-   void AddElement(const BodyStage &stage) const;
+   /// impossible. Sets the @a volume_ratios at its points.
+   void AddElement(const BodyStage &stage, mfem::Vector &volume_ratios) const;
    /// The effective stress at a point of the element, after Evaluate() where
    /// the material has a mean dilatation; false where the law has no value.
    bool GetStress(const Material &material, int point, const Tensor3<> &F,
@@ -103,6 +104,10 @@ private:
    void AddSprings();
    /// Sets what terms cancel where nothing is deformed.
    void MeasureRest();
+   std::array<AssembledMatrix *, 4> Matrices()
+   {
+      return {&stiffness, &growth_transpose, &divergence, &darcy};
+   }
    /// Makes what curved sides add to the tangent at rest a constant part of it.
    void CorrectStraightTangent();
    /// Sets the tangent to an element's.
@@ -133,11 +138,12 @@ private:
    /// Magnitudes of what cancels in a body at rest, true dofs.
    mfem::Vector rest_momentum;
    mfem::Vector rest_mass;
-   LocalMatrix stiffness;
-   LocalMatrix growth;
+   AssembledMatrix stiffness;
+   /// The derivative of the growth of volume, transposed.
+   AssembledMatrix growth_transpose;
    /// With the change of flow.
-   LocalMatrix divergence;
-   LocalMatrix darcy;
+   AssembledMatrix divergence;
+   AssembledMatrix darcy;
    mutable BodyElement element;
    ElementDamping damping;
    /// For tangents, where it has fewer points; else null.
@@ -147,13 +153,12 @@ private:
    ElementTangent tangent;
    mutable MeanDilatation mean_dilatation;
    mutable ElementPermeability permeability;
-   /// What Evaluate() sums: local dofs, and all points.
+   /// What Evaluate() sums: local dofs.
    struct LocalSums
    {
       mfem::Vector momentum;
       mfem::Vector growth;
       mfem::Vector flow;
-      mfem::Vector volume_ratios;
    };
    mutable LocalSums local;
    /// Local dofs.

@@ -26,7 +26,7 @@ void TotalLagrangianForm::LinearizeElement(int number, real_t dt)
 void TotalLagrangianForm::AddTangent(int number)
 {
    stiffness.Add(number, tangent.stiffness);
-   growth.Add(number, tangent.growth);
+   growth_transpose.AddTransposed(number, tangent.growth);
    tangent.flow_change += tangent.growth;
    divergence.Add(number, tangent.flow_change);
    darcy.Add(number, tangent.darcy);
@@ -34,6 +34,10 @@ void TotalLagrangianForm::AddTangent(int number)
 
 void TotalLagrangianForm::CorrectStraightTangent()
 {
+   for (AssembledMatrix *matrix : Matrices())
+   {
+      matrix->Clear();
+   }
    u = 0.0;
    p = 0.0;
    // Nothing flows at rest, but out of vessels for how long is not known.
@@ -54,7 +58,7 @@ void TotalLagrangianForm::CorrectStraightTangent()
       }
       AddTangent(e);
    }
-   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   for (AssembledMatrix *matrix : Matrices())
    {
       matrix->KeepAsConstant();
    }
@@ -69,7 +73,12 @@ bool TotalLagrangianForm::Damp(const BodyStage &stage, const Vector &direction)
 bool TotalLagrangianForm::Linearize(const BodyStage &stage)
 {
    ToLocal(stage);
-   for (LocalMatrix *matrix : {&stiffness, &growth, &divergence, &darcy})
+   // The former ones go first: less memory.
+   matrices.stiffness.reset();
+   matrices.divergence_transpose.reset();
+   matrices.divergence.reset();
+   matrices.darcy.reset();
+   for (AssembledMatrix *matrix : Matrices())
    {
       matrix->Clear();
    }
@@ -89,19 +98,14 @@ bool TotalLagrangianForm::Linearize(const BodyStage &stage)
       }
    }
    const FollowerLoads::State state = ToLoads(stage);
-   loads.AddDerivatives(state, stiffness, growth, divergence);
+   loads.AddDerivatives(state, stiffness, growth_transpose, divergence);
    if (gravity)
    {
       gravity->AddDerivatives(state, stiffness, divergence);
    }
-   // The former ones go first, and the largest comes last: less memory.
-   matrices.stiffness.reset();
-   matrices.divergence_transpose.reset();
-   matrices.divergence.reset();
-   matrices.darcy.reset();
    matrices.darcy = darcy.Sum();
    matrices.divergence = divergence.Sum();
-   matrices.divergence_transpose.reset(growth.Sum()->Transpose());
+   matrices.divergence_transpose = growth_transpose.Sum();
    matrices.stiffness = stiffness.Sum();
    AddSprings();
    return true;

@@ -1,9 +1,8 @@
 #include "synovia/fem/volume_matrices.hpp"
+#include "synovia/fem/assembled_matrix.hpp"
 #include "synovia/fem/effective_stress_integrator.hpp"
-#include "synovia/fem/local_matrix.hpp"
 #include "synovia/fem/pressure_projection_integrator.hpp"
 #include "synovia/fem/quadrature_order.hpp"
-#include "synovia/fem/shared_sum.hpp"
 
 namespace synovia
 {
@@ -14,28 +13,44 @@ namespace
 {
 // MFEM by itself collects entries in linked lists, which takes twice the memory
 // and a sixth more time.
-std::unique_ptr<HypreParMatrix> Assemble(ParFiniteElementSpace &space,
-                                         Sparsity &sparsity,
-                                         BilinearFormIntegrator *integrator)
+std::unique_ptr<HypreParMatrix>
+Assemble(ParFiniteElementSpace &space,
+         const std::shared_ptr<const NodePattern> &pattern,
+         BilinearFormIntegrator &&integrator)
 {
-   ParBilinearForm form(&space);
-   form.AddDomainIntegrator(integrator);
-   form.UseSparsity(sparsity.Begins(), sparsity.Columns(), true);
-   form.Assemble();
-   form.Finalize();
-   return SumShared(space, space, form.SpMat());
+   AssembledMatrix matrix(space, space, pattern);
+   matrix.Clear();
+   DenseMatrix entries;
+   for (int e = 0; e < space.GetNE(); e++)
+   {
+      integrator.AssembleElementMatrix(
+         *space.GetFE(e), *space.GetElementTransformation(e), entries);
+      matrix.Add(e, entries);
+   }
+   return matrix.Sum();
 }
 
-// 1 for each attribute whose material has fluid.
-Array<int> WetMarker(const ParMesh &mesh, const MaterialTable &materials)
+// Where there is fluid.
+std::unique_ptr<HypreParMatrix>
+AssembleDivergence(BiphasicSpaces &spaces, const MaterialTable &materials,
+                   const std::shared_ptr<const NodePattern> &pattern)
 {
-   Array<int> marker(mesh.attributes.Max());
-   marker = 0;
-   for (const int attribute : materials.WithFluid(mesh.attributes))
+   ParFiniteElementSpace &u = spaces.Displacement();
+   ParFiniteElementSpace &p = spaces.Pressure();
+   AssembledMatrix matrix(p, u, pattern);
+   matrix.Clear();
+   WithFewerPoints<VectorDivergenceIntegrator> integrator;
+   DenseMatrix entries;
+   for (int e = 0; e < p.GetNE(); e++)
    {
-      marker[attribute - 1] = 1;
+      if (materials.Get(p.GetAttribute(e)).HasFluid())
+      {
+         integrator.AssembleElementMatrix2(
+            *u.GetFE(e), *p.GetFE(e), *u.GetElementTransformation(e), entries);
+         matrix.Add(e, entries);
+      }
    }
-   return marker;
+   return matrix.Sum();
 }
 } // namespace
 
@@ -45,39 +60,35 @@ VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
    PermeabilityCoefficient permeability(materials);
    ComplianceCoefficient drained_compliance(materials);
 
+   ParFiniteElementSpace &u = spaces.Displacement();
+   ParFiniteElementSpace &p = spaces.Pressure();
+   const auto pattern = std::make_shared<const NodePattern>(p, p);
+   // In order 1 both have the same nodes.
+   const auto pattern_of = [&](const ParFiniteElementSpace &rows)
    {
-      Sparsity sparsity(spaces.Displacement(), spaces.Displacement());
-      stiffness = Assemble(spaces.Displacement(), sparsity,
-                           new EffectiveStressIntegrator(materials));
-   }
-   Sparsity sparsity(spaces.Pressure(), spaces.Pressure());
-   darcy = Assemble(spaces.Pressure(), sparsity,
-                    new WithFewerPoints<DiffusionIntegrator>(permeability));
+      return spaces.Order() == 1 ? pattern
+                                 : std::make_shared<const NodePattern>(rows, u);
+   };
+   stiffness = Assemble(u, pattern_of(u), EffectiveStressIntegrator(materials));
+   darcy =
+      Assemble(p, pattern, WithFewerPoints<DiffusionIntegrator>(permeability));
    if (materials.HasSupply())
    {
       SupplyCoefficient supply(materials, [](const FluidSupply &vessels)
                                { return vessels.kp; });
       const std::unique_ptr<HypreParMatrix> held_back =
-         Assemble(spaces.Pressure(), sparsity,
-                  new WithFewerPoints<MassIntegrator>(supply));
+         Assemble(p, pattern, WithFewerPoints<MassIntegrator>(supply));
       darcy.reset(Add(1.0, *darcy, 1.0, *held_back));
    }
    compliance =
-      Assemble(spaces.Pressure(), sparsity,
-               new WithFewerPoints<MassIntegrator>(drained_compliance));
+      Assemble(p, pattern, WithFewerPoints<MassIntegrator>(drained_compliance));
    if (spaces.Stabilized())
    {
       stabilization = Assemble(
-         spaces.Pressure(), sparsity,
-         new PressureProjectionIntegrator(materials, spaces.Stabilization()));
+         p, pattern,
+         PressureProjectionIntegrator(materials, spaces.Stabilization()));
    }
-   ParMixedBilinearForm form(&spaces.Displacement(), &spaces.Pressure());
-   Array<int> wet = WetMarker(spaces.GetMesh(), materials);
-   form.AddDomainIntegrator(new WithFewerPoints<VectorDivergenceIntegrator>,
-                            wet);
-   form.Assemble();
-   form.Finalize();
-   divergence.reset(form.ParallelAssemble());
+   divergence = AssembleDivergence(spaces, materials, pattern_of(p));
    divergence_transpose.reset(divergence->Transpose());
    moduli = FindModuliRatios(spaces.GetMesh(), materials);
    constexpr real_t isotropic = 1.01;

@@ -108,8 +108,7 @@ private:
    FirstApproach start;
    CarriedNodes carried;
    StageSolver solver;
-   RateHistory rates{spaces, spaces.Offsets().Last() +
-                                equations.Bodies().ConservedSize()};
+   RateHistory rates{spaces};
    bool started = false;
    StageBalance balance;
    RigidPoses poses;

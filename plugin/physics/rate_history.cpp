@@ -25,8 +25,8 @@ std::array<real_t, 2> SquaredDistances(const Vector &a, const Vector &b,
 }
 } // namespace
 
-RateHistory::RateHistory(BiphasicSpaces &spaces_, int size)
-   : spaces(&spaces_), last(size), before(spaces->Offsets().Last())
+RateHistory::RateHistory(BiphasicSpaces &spaces_)
+   : spaces(&spaces_), last(spaces->Offsets().Last()), before(last.Size())
 {
    Forget();
 }
@@ -65,9 +65,7 @@ Vector RateHistory::Expected(real_t time) const
    {
       return OnLine(time);
    }
-   Vector rate(before.Size());
-   std::copy_n(last.begin(), rate.Size(), rate.begin());
-   return rate;
+   return last;
 }
 
 void RateHistory::Add(real_t time, real_t dt, const Vector &rate)
@@ -75,7 +73,6 @@ void RateHistory::Add(real_t time, real_t dt, const Vector &rate)
    // Differences of rates are taken on the host.
    rate.HostRead();
    const Vector now(const_cast<Vector &>(rate), 0, before.Size());
-   const Vector then(last, 0, before.Size());
    is_smooth = false;
    if (Reaches(time))
    {
@@ -85,14 +82,13 @@ void RateHistory::Add(real_t time, real_t dt, const Vector &rate)
       const auto from_line =
          SquaredDistances(now, OnLine(time), split, spaces->GetComm());
       const auto from_last =
-         SquaredDistances(now, then, split, spaces->GetComm());
+         SquaredDistances(now, last, split, spaces->GetComm());
       is_smooth = from_line[0] <= closer * from_last[0] &&
                   from_line[1] <= closer * from_last[1];
    }
-   before = then;
+   before = last;
    before_time = last_time;
-   last = rate;
-   last.HostReadWrite();
+   last = now;
    last_time = time;
    last_length = dt;
    stages = std::min(stages + 1, 2);

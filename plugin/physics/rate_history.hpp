@@ -14,9 +14,8 @@ namespace synovia
 class RateHistory
 {
 public:
-   /// Borrows @a spaces. Begins without any: vectors of rates have @a size,
-   /// true dofs of displacement and pressure and more that is not expected.
-   RateHistory(BiphasicSpaces &spaces_, int size);
+   /// Borrows @a spaces. Begins without any.
+   explicit RateHistory(BiphasicSpaces &spaces_);
 
    /// Rate of the last stage, zero without any.
    const mfem::Vector &Last() const { return last; }
@@ -25,7 +24,9 @@ public:
    /// Rate of displacement and pressure, true dofs, that a stage of @a time may
    /// be expected to have.
    mfem::Vector Expected(mfem::real_t time) const;
-   /// Adds the @a rate of a stage of this @a time and length @a dt. Collective.
+   /// Adds the @a rate of a stage of this @a time and length @a dt, true dofs
+   /// of displacement and pressure; what may follow them isn't kept.
+   /// Collective.
    void Add(mfem::real_t time, mfem::real_t dt, const mfem::Vector &rate);
    /// As at the beginning.
    void Forget();

@@ -57,6 +57,8 @@ Vector EstimateError(TimeScheme scheme, const StageRecorder &stages, real_t dt,
    Vector error(stages.Rate(last));
    if (scheme == TimeScheme::backward_euler)
    {
+      // What else is conserved has no past rate.
+      error.SetSize(past.rate.Size());
       error -= past.rate;
       error *= dt * dt / (dt + past.dt);
    }

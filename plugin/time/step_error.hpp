@@ -39,8 +39,8 @@ private:
    const mfem::Array<int> &offsets;
 };
 
-/// The rate with which the step before ended, and over what length it was
-/// found.
+/// The rate (v, dp/dt) with which the step before ended, and over what length
+/// it was found.
 struct PastRate
 {
    const mfem::Vector &rate;

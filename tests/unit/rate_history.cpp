@@ -48,7 +48,7 @@ public:
 TEST_CASE("Rates on a line are expected to stay on it, whatever the steps")
 {
    Stages stages;
-   RateHistory rates(stages.spaces, stages.Size());
+   RateHistory rates(stages.spaces);
    const auto line = [](real_t t) { return 1.0 + 0.5 * t; };
    CHECK(stages.Distance(rates, 1.0, 0.0) == 0.0);
    for (const real_t time : {1.0, 2.0, 4.0})
@@ -64,7 +64,7 @@ TEST_CASE("Rates on a line are expected to stay on it, whatever the steps")
 TEST_CASE("Rates are not expected on a line across a corner")
 {
    Stages stages;
-   RateHistory rates(stages.spaces, stages.Size());
+   RateHistory rates(stages.spaces);
    const auto corner = [](real_t t) { return t <= 3.0 ? t : 3.0 - 5.0 * t; };
    for (const real_t time : {1.0, 2.0, 3.0})
    {
@@ -83,7 +83,7 @@ TEST_CASE("Rates are not expected on a line across a corner")
 TEST_CASE("What is forgotten is not expected")
 {
    Stages stages;
-   RateHistory rates(stages.spaces, stages.Size());
+   RateHistory rates(stages.spaces);
    rates.Add(1.0, 1.0, stages.Rate(2.0));
    rates.Forget();
    CHECK(rates.Last().Normlinf() == 0.0);

@@ -14,6 +14,12 @@
 // at the peak, with a standard deviation of 6 % (Basalo et al., J Biomech
 // 38:1343-1349, 2005).
 //
+// The biphasic model of Soltz & Ateshian fits what they measured on nine plugs
+// (r^2 = 0.99). With its moduli, Poisson's ratio and permeability a standard
+// deviation above or below their means, as reported, the peak of this ramp
+// is 5.9 to 14.9 times the equilibrium (Laplace solution of
+// unconfined_fibers.csv), with the means 8.8.
+//
 // Strains are so small that the solution of linear theory holds (a circular
 // sector of 90 degrees, which frames around the axis need not touch).
 
@@ -191,6 +197,8 @@ TEST_CASE("Unconfined cartilage bears a multiple of its equilibrium force at "
       // Of a step; a ramp has less.
       CHECK(ratio < 10.93);
       CHECK(ratio == Approx(8.795).epsilon(3e-3));
+      CHECK(ratio > 5.9);
+      CHECK(ratio < 14.9);
       CHECK(std::abs(by_fluid - 0.85) < 0.06);
    }
    else

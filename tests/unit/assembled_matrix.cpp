@@ -1,0 +1,220 @@
+// Matrices that are assembled in the arrays of the distributed matrix, beside
+// products of local ones with the matrices from local to true dofs.
+
+#include "synovia/fem/assembled_matrix.hpp"
+#include "support/boxes.hpp"
+#include "synovia/fem/shared_sum.hpp"
+#include "synovia/general/reduce.hpp"
+#include "synovia/synovia.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace mfem;
+using namespace synovia;
+
+namespace
+{
+void CheckEqual(const HypreParMatrix &a, const HypreParMatrix &b)
+{
+   Vector x(a.Width());
+   Vector by_a(a.Height());
+   Vector by_b(a.Height());
+   x.Randomize(3);
+   a.Mult(x, by_a);
+   b.Mult(x, by_b);
+   const real_t size = by_b.Normlinf();
+   REQUIRE(size > 0.0);
+   by_a -= by_b;
+   CHECK(by_a.Normlinf() < 1e-13 * size);
+}
+
+NamedMesh MakeCells(Element::Type type)
+{
+   BoxOptions box;
+   box.nx = 3;
+   box.ny = 2;
+   box.type = type;
+   return MakeBox(box);
+}
+
+DenseMatrix RandomMatrix(int height, int width, int seed)
+{
+   DenseMatrix matrix(height, width);
+   Vector entries(matrix.Data(), height * width);
+   entries.Randomize(seed);
+   return matrix;
+}
+
+/// Adds to both an assembled matrix and a local one, in turn as it is and
+/// transposed.
+class BothMatrices
+{
+public:
+   BothMatrices(ParFiniteElementSpace &rows_, ParFiniteElementSpace &columns_)
+      : rows(rows_), columns(columns_), assembled(rows, columns)
+   {
+      Clear();
+   }
+
+   void Clear()
+   {
+      assembled.Clear();
+      local =
+         std::make_unique<SparseMatrix>(rows.GetVSize(), columns.GetVSize());
+   }
+
+   void AddElements(int seed)
+   {
+      for (int e = 0; e < rows.GetNE(); e++)
+      {
+         rows.GetElementVDofs(e, row_dofs);
+         columns.GetElementVDofs(e, column_dofs);
+         const DenseMatrix entries = NextEntries(e, seed);
+         if (IsTransposed(e))
+         {
+            assembled.AddTransposed(e, Transposed(entries));
+         }
+         else
+         {
+            assembled.Add(e, entries);
+         }
+         local->AddSubMatrix(row_dofs, column_dofs, entries, 0);
+      }
+   }
+
+   void AddFaces(int seed)
+   {
+      for (int face = 0; face < rows.GetNBE(); face++)
+      {
+         rows.GetBdrElementVDofs(face, row_dofs);
+         columns.GetBdrElementVDofs(face, column_dofs);
+         const DenseMatrix entries = NextEntries(face, seed);
+         if (IsTransposed(face))
+         {
+            assembled.AddTransposed(row_dofs, column_dofs, Transposed(entries));
+         }
+         else
+         {
+            assembled.Add(row_dofs, column_dofs, entries);
+         }
+         local->AddSubMatrix(row_dofs, column_dofs, entries, 0);
+      }
+   }
+
+   void CheckSums()
+   {
+      local->Finalize(0);
+      const auto sum = assembled.Sum();
+      const auto expected = SumShared(rows, columns, *local);
+      CHECK(sum->NNZ() == expected->NNZ());
+      CheckEqual(*sum, *expected);
+   }
+
+private:
+   static bool IsTransposed(int number) { return number % 2 == 1; }
+   static DenseMatrix Transposed(const DenseMatrix &entries)
+   {
+      DenseMatrix transposed;
+      transposed.Transpose(entries);
+      return transposed;
+   }
+   DenseMatrix NextEntries(int number, int seed) const
+   {
+      return RandomMatrix(row_dofs.Size(), column_dofs.Size(),
+                          1 + number + 1000 * (seed + 10 * rows.GetMyRank()));
+   }
+
+   ParFiniteElementSpace &rows;
+   ParFiniteElementSpace &columns;
+   AssembledMatrix assembled;
+   std::unique_ptr<SparseMatrix> local;
+   Array<int> row_dofs;
+   Array<int> column_dofs;
+};
+
+void CheckAssembly(ParFiniteElementSpace &rows, ParFiniteElementSpace &columns)
+{
+   BothMatrices both(rows, columns);
+   both.AddElements(1);
+   both.AddFaces(2);
+   both.CheckSums();
+   both.Clear();
+   both.AddElements(3);
+   both.CheckSums();
+}
+} // namespace
+
+TEST_CASE("Elements' and faces' entries are added over all ranks")
+{
+   for (const auto type : {Element::HEXAHEDRON, Element::TETRAHEDRON})
+   {
+      NamedMesh mesh = MakeCells(type);
+      for (const int order : {1, 2})
+      {
+         CAPTURE(type, order);
+         BiphasicSpaces spaces(mesh.Get(), order);
+         ParFiniteElementSpace &u = spaces.Displacement();
+         ParFiniteElementSpace &p = spaces.Pressure();
+         if (u.GetNRanks() > 1)
+         {
+            const bool shares = u.GetVSize() > u.GetTrueVSize();
+            REQUIRE(AnyRank(shares, spaces.GetComm()));
+         }
+         CheckAssembly(u, u);
+         CheckAssembly(u, p);
+         CheckAssembly(p, u);
+         CheckAssembly(p, p);
+      }
+   }
+}
+
+TEST_CASE("Spaces with the same nodes share a pattern")
+{
+   NamedMesh mesh = MakeCells(Element::HEXAHEDRON);
+   BiphasicSpaces spaces(mesh.Get(), 1);
+   ParFiniteElementSpace &u = spaces.Displacement();
+   ParFiniteElementSpace &p = spaces.Pressure();
+   AssembledMatrix own(p, u);
+   AssembledMatrix other(p, u, AssembledMatrix(u, u).Pattern());
+   own.Clear();
+   other.Clear();
+   for (int e = 0; e < p.GetNE(); e++)
+   {
+      const DenseMatrix entries = RandomMatrix(8, 24, 1 + e);
+      own.Add(e, entries);
+      other.Add(e, entries);
+   }
+   const auto expected = own.Sum();
+   const auto sum = other.Sum();
+   CHECK(sum->NNZ() == expected->NNZ());
+   CheckEqual(*sum, *expected);
+}
+
+TEST_CASE("A constant part is in all sums from then on")
+{
+   NamedMesh mesh = MakeCells(Element::HEXAHEDRON);
+   BiphasicSpaces spaces(mesh.Get(), 1);
+   ParFiniteElementSpace &u = spaces.Displacement();
+   AssembledMatrix matrix(u, u);
+   // Single precision has these.
+   DenseMatrix entries(24);
+   entries = 0.75;
+   const auto add_all = [&]
+   {
+      matrix.Clear();
+      for (int e = 0; e < u.GetNE(); e++)
+      {
+         matrix.Add(e, entries);
+      }
+   };
+   add_all();
+   const auto expected = matrix.Sum();
+   add_all();
+   matrix.KeepAsConstant();
+   for (int pass = 0; pass < 2; pass++)
+   {
+      matrix.Clear();
+      const auto sum = matrix.Sum();
+      CheckEqual(*sum, *expected);
+   }
+}
