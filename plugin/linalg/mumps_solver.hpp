@@ -65,6 +65,7 @@ private:
    /// Where a matrix's ordering puts the @a others, its rows without lone
    /// unknowns, for MumpsInstance. Those that were lone come first.
    std::vector<int> Positions(const std::vector<int> &others) const;
+
    /// Throws why, and forgets the factors.
    [[noreturn]] void Fail(const std::string &task);
 

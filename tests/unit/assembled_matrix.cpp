@@ -69,16 +69,7 @@ public:
       {
          rows.GetElementVDofs(e, row_dofs);
          columns.GetElementVDofs(e, column_dofs);
-         const DenseMatrix entries = NextEntries(e, seed);
-         if (IsTransposed(e))
-         {
-            assembled.AddTransposed(e, Transposed(entries));
-         }
-         else
-         {
-            assembled.Add(e, entries);
-         }
-         local->AddSubMatrix(row_dofs, column_dofs, entries, 0);
+         AddToBoth(e, seed, e);
       }
    }
 
@@ -88,16 +79,7 @@ public:
       {
          rows.GetBdrElementVDofs(face, row_dofs);
          columns.GetBdrElementVDofs(face, column_dofs);
-         const DenseMatrix entries = NextEntries(face, seed);
-         if (IsTransposed(face))
-         {
-            assembled.AddTransposed(row_dofs, column_dofs, Transposed(entries));
-         }
-         else
-         {
-            assembled.Add(row_dofs, column_dofs, entries);
-         }
-         local->AddSubMatrix(row_dofs, column_dofs, entries, 0);
+         AddToBoth(face, seed, row_dofs, column_dofs);
       }
    }
 
@@ -111,17 +93,25 @@ public:
    }
 
 private:
-   static bool IsTransposed(int number) { return number % 2 == 1; }
-   static DenseMatrix Transposed(const DenseMatrix &entries)
+   /// Random entries by the dofs that were set, which the assembled matrix has
+   /// at a place.
+   template <typename... Place>
+   void AddToBoth(int number, int seed, const Place &...place)
    {
-      DenseMatrix transposed;
-      transposed.Transpose(entries);
-      return transposed;
-   }
-   DenseMatrix NextEntries(int number, int seed) const
-   {
-      return RandomMatrix(row_dofs.Size(), column_dofs.Size(),
-                          1 + number + 1000 * (seed + 10 * rows.GetMyRank()));
+      const DenseMatrix entries =
+         RandomMatrix(row_dofs.Size(), column_dofs.Size(),
+                      1 + number + 1000 * (seed + 10 * rows.GetMyRank()));
+      if (number % 2 == 1)
+      {
+         DenseMatrix transposed;
+         transposed.Transpose(entries);
+         assembled.AddTransposed(place..., transposed);
+      }
+      else
+      {
+         assembled.Add(place..., entries);
+      }
+      local->AddSubMatrix(row_dofs, column_dofs, entries, 0);
    }
 
    ParFiniteElementSpace &rows;
