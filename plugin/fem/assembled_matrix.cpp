@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <utility>
 
 namespace synovia
 {
@@ -28,8 +29,14 @@ T *Stolen(Array<T> &&array)
 void AssembledMatrix::Block::Clear()
 {
    entries.SetSize(Size(), Device::GetHostMemoryType());
-   entries = 0.0;
-   std::copy(constant_part.begin(), constant_part.end(), entries.begin());
+   if (constant_part.empty())
+   {
+      entries = 0.0;
+   }
+   else
+   {
+      std::copy(constant_part.begin(), constant_part.end(), entries.begin());
+   }
 }
 
 AssembledMatrix::AssembledMatrix(ParFiniteElementSpace &row_space_,
@@ -51,6 +58,9 @@ AssembledMatrix::AssembledMatrix(ParFiniteElementSpace &row_space_,
      beside{pattern->Beside(), row_dim * column_dim, {}, {}},
      foreign{pattern->Foreign(), row_dim * column_dim, {}, {}}
 {
+   MFEM_VERIFY(pattern->RowNodes() == row_space.GetNDofs() &&
+                  pattern->ColumnNodes() == column_space.GetNDofs(),
+               "the pattern should be of spaces with the same nodes");
    for (const Block *block : {&diagonal, &beside, &foreign})
    {
       MFEM_VERIFY(block->lists.nodes.size() <
@@ -261,6 +271,8 @@ Array<int> AssembledMatrix::Columns(const Block &block) const
 
 std::unique_ptr<HypreParMatrix> AssembledMatrix::Sum()
 {
+   MFEM_VERIFY(diagonal.entries.Size() == diagonal.Size(),
+               "the matrix should be cleared before it is added to");
    AddIncoming();
    foreign.entries.DeleteAll();
    const std::vector<HYPRE_BigInt> &nodes = pattern->BesideNumbers();

@@ -18,8 +18,8 @@ public:
    /// Borrows both spaces. Collective.
    AssembledMatrix(mfem::ParFiniteElementSpace &row_space,
                    mfem::ParFiniteElementSpace &column_space);
-   /// The same where another pair of spaces with the same nodes has this
-   /// pattern.
+   /// The same with the pattern of spaces that have the same nodes, which is
+   /// shared; not collective.
    AssembledMatrix(mfem::ParFiniteElementSpace &row_space,
                    mfem::ParFiniteElementSpace &column_space,
                    std::shared_ptr<const NodePattern> pattern);
@@ -30,20 +30,21 @@ public:
    /// What was added up to now is a constant part of all sums from now on, in
    /// single precision; to be cleared before more is added.
    void KeepAsConstant();
-   /// Adds an element's matrix; rows and columns go component by component.
+   /// Adds an element's matrix, (row components x row nodes) x (column
+   /// components x column nodes), component by component; after Clear().
    void Add(int element, const mfem::DenseMatrix &entries);
-   /// The same of its transpose.
+   /// Adds the transpose of @a entries, columns x rows.
    void AddTransposed(int element, const mfem::DenseMatrix &entries);
    /// Adds a matrix by local vector dofs that share an element, component by
    /// component.
    void Add(const mfem::Array<int> &rows, const mfem::Array<int> &columns,
             const mfem::DenseMatrix &entries);
-   /// The same of its transpose: @a entries is columns x rows.
+   /// Adds the transpose of @a entries, columns x rows.
    void AddTransposed(const mfem::Array<int> &rows,
                       const mfem::Array<int> &columns,
                       const mfem::DenseMatrix &entries);
-   /// On true dofs, summed over ranks; to be cleared before more is added.
-   /// Collective.
+   /// On true dofs, summed over ranks, of what was added since Clear(), which
+   /// must come before anything else is added. Collective.
    std::unique_ptr<mfem::HypreParMatrix> Sum();
 
 private:

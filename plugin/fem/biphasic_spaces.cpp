@@ -21,6 +21,16 @@ int CheckedOrder(int order)
    return order;
 }
 
+ParMesh &CheckedMesh(ParMesh &mesh)
+{
+   if (mesh.Nonconforming())
+   {
+      throw Error("the mesh is one that may have hanging nodes, which bodies "
+                  "can't have: refine all of its elements, or remesh it");
+   }
+   return mesh;
+}
+
 real_t CheckedStabilization(real_t factor)
 {
    if (!(factor >= 0.0 && factor <= 1.0))
@@ -39,7 +49,7 @@ BiphasicSpaces::BiphasicSpaces(ParMesh &mesh, int order_, real_t stabilization_)
      pressure_elements(std::max(1, order - 1), 3), multiplier_elements(1, 3)
 {
    displacement = std::make_unique<ParFiniteElementSpace>(
-      &mesh, &displacement_elements, 3, Ordering::byVDIM);
+      &CheckedMesh(mesh), &displacement_elements, 3, Ordering::byVDIM);
    pressure =
       std::make_unique<ParFiniteElementSpace>(&mesh, &pressure_elements);
    multiplier = pressure.get();

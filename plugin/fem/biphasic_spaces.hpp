@@ -17,8 +17,9 @@ namespace synovia
 class BiphasicSpaces
 {
 public:
-   /// Borrows @a mesh. @a order must be at least 1; @a stabilization, from 0 to
-   /// 1, scales the stabilization of order 1.
+   /// Borrows @a mesh, which must have no hanging nodes. @a order must be at
+   /// least 1; @a stabilization, from 0 to 1, scales the stabilization of order
+   /// 1. Throws Error.
    BiphasicSpaces(mfem::ParMesh &mesh, int order,
                   mfem::real_t stabilization = 1.0);
 

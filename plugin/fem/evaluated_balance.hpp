@@ -13,8 +13,9 @@ class EvaluatedBalance
 public:
    explicit EvaluatedBalance(MPI_Comm comm_) : comm(comm_) {}
 
-   /// Whether it was evaluated at @a stage, on all ranks; what is conserved
-   /// must be the same, Forget() otherwise. Collective.
+   /// Whether it was evaluated at @a stage, on all ranks; its displacement at
+   /// the start and what is conserved must be the same, Forget() otherwise.
+   /// Collective.
    bool IsAt(const BodyStage &stage) const;
    /// Whether it was evaluated with this displacement, on all ranks.
    /// Collective.

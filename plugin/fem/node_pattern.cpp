@@ -106,17 +106,24 @@ void AddNew(const std::vector<HYPRE_BigInt> &more,
 }
 } // namespace
 
+void NodePattern::Lists::FindAscending()
+{
+   ascends.clear();
+   for (std::size_t list = 1; list < begins.size(); list++)
+   {
+      ascends.push_back(std::is_sorted(nodes.begin() + begins[list - 1],
+                                       nodes.begin() + begins[list]));
+   }
+}
+
 int NodePattern::Lists::Find(int list, int node) const
 {
    const auto first = nodes.begin() + begins[list];
    const auto last = nodes.begin() + begins[list + 1];
-   // Most lists ascend.
-   auto found = std::lower_bound(first, last, node);
-   if (found == last || *found != node)
-   {
-      found = std::find(first, last, node);
-   }
-   MFEM_ASSERT(found != last, "no such entry");
+   const auto found = ascends[list] ? std::lower_bound(first, last, node)
+                                    : std::find(first, last, node);
+   MFEM_VERIFY(found != last && *found == node,
+               "both nodes should share an element");
    return static_cast<int>(found - first);
 }
 
@@ -173,6 +180,7 @@ NodePattern::FindForeign(const Numbering &rows, const Table &neighbors)
       }
       foreign.begins.push_back(static_cast<int>(foreign.nodes.size()));
    }
+   foreign.FindAscending();
    return messages;
 }
 
@@ -237,6 +245,8 @@ void NodePattern::FindColumns(const Numbering &rows, const Table &neighbors,
    {
       beside.nodes.push_back(PlaceBeside(number));
    }
+   diagonal.FindAscending();
+   beside.FindAscending();
 }
 
 int NodePattern::PlaceBeside(HYPRE_BigInt column) const

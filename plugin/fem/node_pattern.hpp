@@ -23,15 +23,22 @@ public:
    NodePattern(const mfem::ParFiniteElementSpace &rows,
                const mfem::ParFiniteElementSpace &columns);
 
+   /// Nodes of this rank's part of the mesh, by their local numbers.
+   int RowNodes() const { return static_cast<int>(row_of.size()); }
+   int ColumnNodes() const { return static_cast<int>(column_numbers.size()); }
+
    /// Nodes that share elements with others.
    struct Lists
    {
       /// Where each node's list begins, and one more.
       std::vector<int> begins{0};
       std::vector<int> nodes;
+      /// Whether each list does, once all are there; for Find().
+      std::vector<bool> ascends;
 
       int Begin(int node) const { return begins[node]; }
       int Length(int node) const { return begins[node + 1] - begins[node]; }
+      void FindAscending();
       /// Place of a node in a list that has it.
       int Find(int list, int node) const;
    };

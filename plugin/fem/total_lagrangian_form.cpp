@@ -19,14 +19,11 @@ void SumIntoTrueDofs(const ParFiniteElementSpace &space, const Vector &local,
    space.GetProlongationMatrix()->MultTranspose(local, true_dofs);
 }
 
-// With the pattern of the stiffness in order 1, where all spaces have the same
-// nodes.
 AssembledMatrix MakeMatrix(ParFiniteElementSpace &rows,
-                           ParFiniteElementSpace &columns, int order,
-                           const AssembledMatrix &stiffness)
+                           ParFiniteElementSpace &columns,
+                           SpacePatterns &patterns)
 {
-   return order == 1 ? AssembledMatrix(rows, columns, stiffness.Pattern())
-                     : AssembledMatrix(rows, columns);
+   return AssembledMatrix(rows, columns, patterns.Between(rows, columns));
 }
 
 void VerifyLaws(const NamedMesh &mesh, const MaterialTable &materials)
@@ -51,15 +48,15 @@ TotalLagrangianForm::TotalLagrangianForm(
    ElementPoints tangent_points, const GravityLoads *gravity_)
    : mesh(mesh_), spaces(spaces_), materials(materials_), springs(springs_),
      loads(loads_), gravity(gravity_),
-     matrices((VerifyLaws(mesh, materials), spaces), materials),
-     balance(spaces.GetComm()), start_balance(spaces.GetComm()),
-     stiffness(spaces.Displacement(), spaces.Displacement()),
-     growth_transpose(MakeMatrix(spaces.Displacement(), spaces.Pressure(),
-                                 spaces.Order(), stiffness)),
-     divergence(MakeMatrix(spaces.Pressure(), spaces.Displacement(),
-                           spaces.Order(), stiffness)),
-     darcy(MakeMatrix(spaces.Pressure(), spaces.Pressure(), spaces.Order(),
-                      stiffness)),
+     patterns((VerifyLaws(mesh, materials), spaces)),
+     matrices(spaces, materials, patterns), balance(spaces.GetComm()),
+     start_balance(spaces.GetComm()),
+     stiffness(
+        MakeMatrix(spaces.Displacement(), spaces.Displacement(), patterns)),
+     growth_transpose(
+        MakeMatrix(spaces.Displacement(), spaces.Pressure(), patterns)),
+     divergence(MakeMatrix(spaces.Pressure(), spaces.Displacement(), patterns)),
+     darcy(MakeMatrix(spaces.Pressure(), spaces.Pressure(), patterns)),
      element(spaces), damping(spaces, materials, element), tangent(spaces),
      permeability(spaces), u(spaces.Displacement().GetVSize()), u0(u.Size()),
      p(spaces.Pressure().GetVSize())

@@ -11,6 +11,7 @@
 #include "synovia/fem/follower_loads.hpp"
 #include "synovia/fem/gravity_loads.hpp"
 #include "synovia/fem/smooth_stabilization.hpp"
+#include "synovia/fem/space_patterns.hpp"
 #include "synovia/fem/spring_foundation.hpp"
 #include "synovia/mesh/named_mesh.hpp"
 
@@ -129,6 +130,7 @@ private:
    const FollowerLoads &loads;
    /// Null if there is none.
    const GravityLoads *gravity;
+   SpacePatterns patterns;
    VolumeMatrices matrices;
    mutable EvaluatedBalance balance;
    /// Where stages start.

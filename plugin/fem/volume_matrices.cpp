@@ -13,12 +13,11 @@ namespace
 {
 // MFEM by itself collects entries in linked lists, which takes twice the memory
 // and a sixth more time.
-std::unique_ptr<HypreParMatrix>
-Assemble(ParFiniteElementSpace &space,
-         const std::shared_ptr<const NodePattern> &pattern,
-         BilinearFormIntegrator &&integrator)
+std::unique_ptr<HypreParMatrix> Assemble(ParFiniteElementSpace &space,
+                                         SpacePatterns &patterns,
+                                         BilinearFormIntegrator &&integrator)
 {
-   AssembledMatrix matrix(space, space, pattern);
+   AssembledMatrix matrix(space, space, patterns.Between(space, space));
    matrix.Clear();
    DenseMatrix entries;
    for (int e = 0; e < space.GetNE(); e++)
@@ -33,11 +32,11 @@ Assemble(ParFiniteElementSpace &space,
 // Where there is fluid.
 std::unique_ptr<HypreParMatrix>
 AssembleDivergence(BiphasicSpaces &spaces, const MaterialTable &materials,
-                   const std::shared_ptr<const NodePattern> &pattern)
+                   SpacePatterns &patterns)
 {
    ParFiniteElementSpace &u = spaces.Displacement();
    ParFiniteElementSpace &p = spaces.Pressure();
-   AssembledMatrix matrix(p, u, pattern);
+   AssembledMatrix matrix(p, u, patterns.Between(p, u));
    matrix.Clear();
    WithFewerPoints<VectorDivergenceIntegrator> integrator;
    DenseMatrix entries;
@@ -56,39 +55,39 @@ AssembleDivergence(BiphasicSpaces &spaces, const MaterialTable &materials,
 
 VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
                                const MaterialTable &materials)
+   : VolumeMatrices(spaces, materials, *std::make_unique<SpacePatterns>(spaces))
+{
+}
+
+VolumeMatrices::VolumeMatrices(BiphasicSpaces &spaces,
+                               const MaterialTable &materials,
+                               SpacePatterns &patterns)
 {
    PermeabilityCoefficient permeability(materials);
    ComplianceCoefficient drained_compliance(materials);
 
    ParFiniteElementSpace &u = spaces.Displacement();
    ParFiniteElementSpace &p = spaces.Pressure();
-   const auto pattern = std::make_shared<const NodePattern>(p, p);
-   // In order 1 both have the same nodes.
-   const auto pattern_of = [&](const ParFiniteElementSpace &rows)
-   {
-      return spaces.Order() == 1 ? pattern
-                                 : std::make_shared<const NodePattern>(rows, u);
-   };
-   stiffness = Assemble(u, pattern_of(u), EffectiveStressIntegrator(materials));
+   stiffness = Assemble(u, patterns, EffectiveStressIntegrator(materials));
    darcy =
-      Assemble(p, pattern, WithFewerPoints<DiffusionIntegrator>(permeability));
+      Assemble(p, patterns, WithFewerPoints<DiffusionIntegrator>(permeability));
    if (materials.HasSupply())
    {
       SupplyCoefficient supply(materials, [](const FluidSupply &vessels)
                                { return vessels.kp; });
       const std::unique_ptr<HypreParMatrix> held_back =
-         Assemble(p, pattern, WithFewerPoints<MassIntegrator>(supply));
+         Assemble(p, patterns, WithFewerPoints<MassIntegrator>(supply));
       darcy.reset(Add(1.0, *darcy, 1.0, *held_back));
    }
-   compliance =
-      Assemble(p, pattern, WithFewerPoints<MassIntegrator>(drained_compliance));
+   compliance = Assemble(p, patterns,
+                         WithFewerPoints<MassIntegrator>(drained_compliance));
    if (spaces.Stabilized())
    {
       stabilization = Assemble(
-         p, pattern,
+         p, patterns,
          PressureProjectionIntegrator(materials, spaces.Stabilization()));
    }
-   divergence = AssembleDivergence(spaces, materials, pattern_of(p));
+   divergence = AssembleDivergence(spaces, materials, patterns);
    divergence_transpose.reset(divergence->Transpose());
    moduli = FindModuliRatios(spaces.GetMesh(), materials);
    constexpr real_t isotropic = 1.01;

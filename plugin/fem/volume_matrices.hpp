@@ -2,6 +2,7 @@
 
 #include "synovia/fem/biphasic_spaces.hpp"
 #include "synovia/fem/moduli_ratios.hpp"
+#include "synovia/fem/space_patterns.hpp"
 #include "synovia/materials/material_table.hpp"
 
 #include <memory>
@@ -15,6 +16,9 @@ struct VolumeMatrices
 {
    /// Assembles all of them. Every element's attribute must have a material.
    VolumeMatrices(BiphasicSpaces &spaces, const MaterialTable &materials);
+   /// The same with patterns of the spaces, which serve other matrices, too.
+   VolumeMatrices(BiphasicSpaces &spaces, const MaterialTable &materials,
+                  SpacePatterns &patterns);
 
    /// (C eps(u), eps(w)), displacement x displacement.
    std::shared_ptr<mfem::HypreParMatrix> stiffness;

@@ -14,7 +14,7 @@ namespace synovia
 class RateHistory
 {
 public:
-   /// Borrows @a spaces. Begins without any.
+   /// Borrows @a spaces_. Begins without rates.
    explicit RateHistory(BiphasicSpaces &spaces_);
 
    /// Rate of the last stage, zero without any.
@@ -39,10 +39,11 @@ private:
    bool Reaches(mfem::real_t time) const;
 
    BiphasicSpaces *spaces;
+   /// Of displacement and pressure, true dofs.
    mfem::Vector last;
    mfem::real_t last_time = 0.0;
    mfem::real_t last_length = 0.0;
-   /// Displacement and pressure of the stage before.
+   /// The same of the stage before.
    mfem::Vector before;
    mfem::real_t before_time = 0.0;
    /// How many there are of both.

@@ -19,7 +19,8 @@ DEFAULTS = {
     "elements": "hex", "size": 8, "refine": 0, "order": 2,
     "permeability": 1e-3, "step": 1.0, "steps": 2, "poisson": 0.1,
     "jump": 1.0, "penalty_factor": 100.0, "contact": 1, "solver": "block_amg",
-    "active_set_tolerance": 0.0}
+    "active_set_tolerance": 0.0, "deformation": "infinitesimal",
+    "compression": 0.0}
 
 Row = dict[str, str]
 

@@ -70,6 +70,17 @@ QUICK = Extent(
     poissons=(0.0, 0.1, 0.49), jumps=(1.0, 1e2, 1e4),
     penalties=(1.0, 1e3, 1e6), without_contact=False)
 
+# Of both deformations, where a run takes six steps.
+FINITE = Extent(
+    base=5, sizes=(4, 6, 8), large=8, each=5, orders=FULL.orders,
+    steps=(1e-3, 1.0, 1e3), permeabilities=(1e-9, 1e-5, 1e-3, 1e1),
+    poissons=(0.0, 0.3, 0.4, 0.45, 0.49), jumps=(1.0, 1e2, 1e4),
+    penalties=(1.0, 1e3), without_contact=True)
+QUICK_FINITE = Extent(
+    base=2, sizes=(2, 3), large=2, each=2, orders=(("hex", 1), ("tet", 2)),
+    steps=(1.0, 1e3), permeabilities=(1e-3,), poissons=(0.1, 0.4),
+    jumps=(1.0,), penalties=(1.0,), without_contact=True)
+
 
 def scaled_size(elements: str, order: int, size: int) -> int:
     return max(2, round(RELATIVE_SIZE[elements, order] * size))

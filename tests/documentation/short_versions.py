@@ -66,6 +66,7 @@ SMALL = {
     "scripts/benchmark": {"--sweep": "jump"},
     "scripts/benchmark --audit": {"--most-ranks": "4", "--each": "4",
                                   "--whole": "8"},
+    "scripts/benchmark --deformations": {"--compression": "0.1"},
     "scripts/benchmark --roofline": {"--size": "4"},
     "scripts/benchmark --tables": {"--table": "scaling", "--coarsen": "6"}}
 # Of MFEM's parser, which takes an option only once.
@@ -187,7 +188,8 @@ def options_for(program: str, arguments: list[str], folder: pathlib.Path
     if program in SMALL:
         which = " ".join([program, *(
             word for word in arguments
-            if word in ("--audit", "--roofline", "--tables"))])
+            if word in ("--audit", "--deformations", "--roofline",
+                        "--tables"))])
         return list(SMALL[which].items())
     if program in COARSE:
         return [("--size", COARSE[program])]

@@ -1,40 +1,69 @@
+// ranks: 1 2 3 16
+//
 // Matrices that are assembled in the arrays of the distributed matrix, beside
 // products of local ones with the matrices from local to true dofs.
 
 #include "synovia/fem/assembled_matrix.hpp"
 #include "support/boxes.hpp"
-#include "synovia/fem/shared_sum.hpp"
+#include "support/shared_sum.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace mfem;
 using namespace synovia;
 
 namespace
 {
+real_t Largest(const Vector &x, MPI_Comm comm)
+{
+   return MaxOverRanks(x.Size() > 0 ? x.Normlinf() : 0.0, comm);
+}
+
 void CheckEqual(const HypreParMatrix &a, const HypreParMatrix &b)
 {
    Vector x(a.Width());
    Vector by_a(a.Height());
    Vector by_b(a.Height());
-   x.Randomize(3);
+   x.Randomize(3 + Mpi::WorldRank());
    a.Mult(x, by_a);
    b.Mult(x, by_b);
-   const real_t size = by_b.Normlinf();
+   // A rank may have no rows.
+   const real_t size = Largest(by_b, b.GetComm());
    REQUIRE(size > 0.0);
    by_a -= by_b;
-   CHECK(by_a.Normlinf() < 1e-13 * size);
+   CHECK(Largest(by_a, b.GetComm()) < 1e-13 * size);
 }
 
-NamedMesh MakeCells(Element::Type type)
+BoxOptions Cells(Element::Type type)
 {
    BoxOptions box;
    box.nx = 3;
    box.ny = 2;
    box.type = type;
-   return MakeBox(box);
+   return box;
+}
+
+NamedMesh MakeCells(Element::Type type)
+{
+   return MakeBox(Cells(type));
+}
+
+/// All on each second rank.
+NamedMesh MakeScatteredCells(Element::Type type)
+{
+   Mesh serial = MakeBoxMesh(Cells(type));
+   const int filled = (Mpi::WorldSize() + 1) / 2;
+   std::vector<int> owners(serial.GetNE());
+   for (int i = 0; i < serial.GetNE(); i++)
+   {
+      owners[i] = 2 * (i % filled);
+   }
+   return DistributeMesh(serial, {{"body", {1}}}, {}, MPI_COMM_WORLD,
+                         owners.data());
 }
 
 DenseMatrix RandomMatrix(int height, int width, int seed)
@@ -132,6 +161,16 @@ void CheckAssembly(ParFiniteElementSpace &rows, ParFiniteElementSpace &columns)
    both.AddElements(3);
    both.CheckSums();
 }
+
+void CheckAssemblies(BiphasicSpaces &spaces)
+{
+   ParFiniteElementSpace &u = spaces.Displacement();
+   ParFiniteElementSpace &p = spaces.Pressure();
+   CheckAssembly(u, u);
+   CheckAssembly(u, p);
+   CheckAssembly(p, u);
+   CheckAssembly(p, p);
+}
 } // namespace
 
 TEST_CASE("Elements' and faces' entries are added over all ranks")
@@ -144,17 +183,26 @@ TEST_CASE("Elements' and faces' entries are added over all ranks")
          CAPTURE(type, order);
          BiphasicSpaces spaces(mesh.Get(), order);
          ParFiniteElementSpace &u = spaces.Displacement();
-         ParFiniteElementSpace &p = spaces.Pressure();
          if (u.GetNRanks() > 1)
          {
             const bool shares = u.GetVSize() > u.GetTrueVSize();
             REQUIRE(AnyRank(shares, spaces.GetComm()));
          }
-         CheckAssembly(u, u);
-         CheckAssembly(u, p);
-         CheckAssembly(p, u);
-         CheckAssembly(p, p);
+         CheckAssemblies(spaces);
       }
+   }
+}
+
+TEST_CASE("Ranks without elements add nothing")
+{
+   for (const auto type : {Element::HEXAHEDRON, Element::TETRAHEDRON})
+   {
+      CAPTURE(type);
+      NamedMesh mesh = MakeScatteredCells(type);
+      const bool has_none = Mpi::WorldRank() % 2 == 1;
+      CHECK((mesh.Get().GetNE() == 0) == has_none);
+      BiphasicSpaces spaces(mesh.Get(), 2);
+      CheckAssemblies(spaces);
    }
 }
 
@@ -186,25 +234,39 @@ TEST_CASE("A constant part is in all sums from then on")
    BiphasicSpaces spaces(mesh.Get(), 1);
    ParFiniteElementSpace &u = spaces.Displacement();
    AssembledMatrix matrix(u, u);
-   // Single precision has these.
-   DenseMatrix entries(24);
-   entries = 0.75;
-   const auto add_all = [&]
+   const auto add_all = [&](int seed)
    {
-      matrix.Clear();
       for (int e = 0; e < u.GetNE(); e++)
       {
+         DenseMatrix entries = RandomMatrix(24, 24, seed + e);
+         // Single precision has sixteenths.
+         for (real_t &entry : Vector(entries.Data(), 24 * 24))
+         {
+            entry = std::round(16.0 * entry) / 16.0;
+         }
          matrix.Add(e, entries);
       }
    };
-   add_all();
+   matrix.Clear();
+   add_all(1);
+   add_all(1000);
    const auto expected = matrix.Sum();
-   add_all();
+   matrix.Clear();
+   add_all(1);
    matrix.KeepAsConstant();
    for (int pass = 0; pass < 2; pass++)
    {
       matrix.Clear();
+      add_all(1000);
       const auto sum = matrix.Sum();
       CheckEqual(*sum, *expected);
    }
+}
+
+TEST_CASE("Meshes that may have hanging nodes are refused")
+{
+   Mesh serial = MakeBoxMesh(Cells(Element::HEXAHEDRON));
+   serial.EnsureNCMesh();
+   ParMesh mesh(MPI_COMM_WORLD, serial);
+   CHECK_THROWS_WITH(BiphasicSpaces(mesh, 1), Catch::Contains("hanging nodes"));
 }

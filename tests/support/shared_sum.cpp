@@ -1,4 +1,4 @@
-#include "synovia/fem/shared_sum.hpp"
+#include "support/shared_sum.hpp"
 
 namespace synovia
 {
