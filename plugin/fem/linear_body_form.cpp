@@ -105,6 +105,7 @@ void LinearBodyForm::AddMagnitudes(real_t dt, const Vector &u, const Vector &p,
                                    Vector &momentum, Vector &mass) const
 {
    matrices.stiffness->AbsMult(1.0, u, 1.0, momentum);
+   matrices.divergence_transpose->AbsMult(1.0, p, 1.0, momentum);
    matrices.divergence->AbsMult(1.0, u, 1.0, mass);
    matrices.darcy->AbsMult(dt, p, 1.0, mass);
    for (int i = 0; has_supply && i < supply.Size(); i++)

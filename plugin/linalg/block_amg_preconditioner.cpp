@@ -130,10 +130,13 @@ Array<int> AnisotropicDofs(const Vector &anisotropy,
 
 // Without overlap the filter has half the dofs to solve for, which saves a
 // sixth of the time; but the smoother must be good near the contact, or there
-// are half as many iterations more.
+// are half as many iterations more: in order 2 it is in infinitesimal strain.
 int Overlap(const VolumeMatrices &matrices, const MultigridTuning &tuning)
 {
-   return SmoothsWell(matrices.moduli, tuning) && matrices.order <= 2 ? 0 : 1;
+   const int most_order = matrices.symmetric ? 2 : 1;
+   return SmoothsWell(matrices.moduli, tuning) && matrices.order <= most_order
+             ? 0
+             : 1;
 }
 
 std::unique_ptr<HypreBoomerAMG> ElasticityAmg(const VolumeMatrices &matrices,
@@ -205,14 +208,12 @@ void BlockAmgPreconditioner::ContactMoved()
 void BlockAmgPreconditioner::Update()
 {
    // What is solved for exactly follows each tangent, as old derivatives of
-   // contact tractions can take a hundred iterations. Between bodies that only
-   // multigrid solves for, new ones beside an old hierarchy are worse.
-   const bool follows_exactly = tangent_changed && displacement->HasExact();
+   // contact tractions can take a hundred iterations.
+   const bool entries_changed = moved || tangent_changed;
    if (tangent_changed)
    {
       FollowTangent();
    }
-   const bool entries_changed = moved || follows_exactly;
    const bool gaps_changed =
       TakeWeights(jacobian.Contact(), comm, gap_weights,
                   [](const ContactFactors &pair) -> const Vector &

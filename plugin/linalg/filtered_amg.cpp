@@ -216,12 +216,10 @@ void FilteredAmg::Restrict()
    const std::unique_ptr<HypreParMatrix> picked(
       ParMult(picks.get(), columns.get(), true));
    smoothed_columns.reset(ParMult(smoothed.get(), picked.get(), true));
-   // Between bodies that only multigrid solves for, R beside a hierarchy that
-   // doesn't know it takes up to twice as many iterations as F for it.
    std::vector<PenalizedSolver::Factor> small_factors;
    for (const Factor &factor : factors)
    {
-      const bool one = factor.changes == factor.forces || !has_exact;
+      const bool one = factor.changes == factor.forces;
       small_factors.emplace_back();
       small_factors.back().forces.reset(
          ParMult(factor.forces, injection.get(), true));

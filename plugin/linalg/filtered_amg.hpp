@@ -49,9 +49,9 @@ public:
    /// Solves exactly for the @a exact dofs, too, of which multigrid then knows
    /// nothing, and for @a overlap layers of dofs around these and those of the
    /// rows that have a weight, with a direct solver that has @a options, for
-   /// matrices of this @a kind where no R is another than F. Only where there
-   /// are exact dofs is R more than F. A factorization serves for changed
-   /// weights until they have made @a most_columns. Collective.
+   /// matrices of this @a kind where no R is another than F. A factorization
+   /// serves for changed weights until they have made @a most_columns.
+   /// Collective.
    FilteredAmg(Matrices terms, const mfem::Array<int> &prescribed,
                const mfem::Array<int> &exact, int overlap, Filter filter,
                MatrixKind kind, const DirectOptions &options, int most_columns);
@@ -63,8 +63,6 @@ public:
    void SetHierarchy(std::unique_ptr<mfem::HypreParMatrix> alike,
                      std::unique_ptr<mfem::HypreBoomerAMG> amg);
    void ClearHierarchy();
-   /// Whether any rank has exact dofs.
-   bool HasExact() const { return has_exact; }
    /// Borrows the contact operators until the next call. Their columns at
    /// prescribed dofs don't count. SetWeights() must follow.
    void SetFactors(const Factors &factors);

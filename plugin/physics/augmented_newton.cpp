@@ -69,10 +69,7 @@ bool AugmentedNewton::SolveContact(ImplicitStage &stage,
       equations.Add(1.0, step, stage);
       equations.EvaluateContact(stage);
       contact.Update(stage, ContactStiffness::penalty);
-      if (!contact.Interfaces().empty())
-      {
-         rule.AllowRoundOff(stage, tolerance);
-      }
+      rule.AllowRoundOff(stage, tolerance);
    }
    return contact.FailIterations(options.max_newton);
 }

@@ -12,10 +12,16 @@
 //
 //    largest pressure   P sum 2 (-1)^n/m exp(-m^2 s)
 //    compression        P h/H (1 - sum 2/m^2 exp(-m^2 s))
+//
+// A rigid plane that a force presses does the same, with the base open, or with
+// the base sealed and the plane open: the fluid leaves at the rate at which the
+// column is compressed. Between a sealed plane and a sealed base the fluid
+// bears all of the load.
 
 #include "support/boxes.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/mesh/boundary_marker.hpp"
+#include "synovia/mesh/shape_mesh.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
@@ -49,10 +55,13 @@ struct Series
          const real_t left = std::exp(-m * m * s);
          pressure += (n % 2 == 0 ? 2.0 : -2.0) / m * left;
          compression -= 2.0 / (m * m) * left;
+         rate += 2.0 * left;
       }
    }
    real_t pressure = 0.0;
    real_t compression = 1.0;
+   /// Of the compression, d/ds.
+   real_t rate = 0.0;
 };
 
 struct Columns
@@ -228,6 +237,160 @@ TEST_CASE("A surface that nothing touches drains unless it is sealed")
             Approx(load * series.pressure).epsilon(3e-3));
       CHECK(columns.Compression(stepper.State().GetBlock(0)) ==
             Approx(load * series.compression / tissue).epsilon(3e-3));
+   }
+}
+
+namespace
+{
+constexpr real_t width = 0.3;
+
+struct PressedColumn
+{
+   PressedColumn(bool finite, bool plane_drains, bool base_drains)
+      : mesh(Make()), problem(mesh, Columns::Space(finite)),
+        solid(finite ? static_cast<const SolidLaw *>(&finite_tissue)
+                     : &linear_tissue)
+   {
+      problem.SetMaterial("body", *solid, permeability);
+      problem.FixDisplacement("z0");
+      for (const char *side : {"x0", "x1"})
+      {
+         problem.PrescribeDisplacement(side, 0, 0.0);
+      }
+      for (const char *side : {"y0", "y1"})
+      {
+         problem.PrescribeDisplacement(side, 1, 0.0);
+      }
+      if (base_drains)
+      {
+         problem.PrescribePressure("z0", 0.0);
+      }
+      RigidBodyOptions options;
+      options.reference = Plane().center;
+      for (const int fixed : {0, 1, 3, 4, 5})
+      {
+         options.prescribed[fixed] = 0.0;
+      }
+      options.load[2] = -load * width * width;
+      problem.AddRigidBody("platen", {}, options, {"platen"});
+      ContactOptions contact;
+      // Far below what the load does.
+      contact.gap_tolerance = 1e-10;
+      contact.dry_partner =
+         plane_drains ? DryPartner::draining : DryPartner::impermeable;
+      problem.AddContact("platen", "z1", contact);
+   }
+
+   static RigidShape Plane()
+   {
+      RigidShape plane;
+      plane.name = "platen";
+      plane.type = RigidShape::Type::plane;
+      plane.center = {0.1, 0.2, 1.0};
+      plane.axis = {0.0, 0.0, -1.0};
+      plane.edge = 1.0;
+      return plane;
+   }
+
+   static NamedMesh Make()
+   {
+      BoxOptions box;
+      box.nx = box.ny = 2;
+      box.nz = 14;
+      box.size_x = box.size_y = width;
+      NamedSerialMesh all = AddShapes(MakeBoxMesh(box), {{"body", {1}}},
+                                      {{"z0", {1}},
+                                       {"y0", {2}},
+                                       {"x1", {3}},
+                                       {"y1", {4}},
+                                       {"x0", {5}},
+                                       {"z1", {6}}},
+                                      {Plane()});
+      return DistributeMesh(all.mesh, all.regions, all.boundaries,
+                            MPI_COMM_WORLD);
+   }
+
+   NamedMesh mesh;
+   BiphasicProblem problem;
+   const IsotropicElastic linear_tissue{0.5, 0.1};
+   const NeoHookean finite_tissue{0.5, 0.1};
+   const ConstantPermeability permeability{kappa};
+   const SolidLaw *solid;
+};
+} // namespace
+
+TEST_CASE("A column under a rigid plane drains as its pair says")
+{
+   const bool finite = GENERATE(false, true);
+   const bool plane_drains = GENERATE(false, true);
+   CAPTURE(finite, plane_drains);
+   PressedColumn column(finite, plane_drains, !plane_drains);
+   const real_t unit = 1.0 / (tissue * kappa);
+   TimeOptions times;
+   times.scheme = TimeScheme::sdirk33;
+   times.step = 0.02 * unit;
+   times.end = 20 * times.step;
+   times.cut_back = false;
+   TimeStepper stepper(column.problem, times);
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      const real_t s = report.time / unit;
+      CAPTURE(s);
+      const BiphasicOperator &op = column.problem.Operator();
+      const ContactDiagnostics pair = Diagnose(*op.Pairs().front());
+      CHECK(pair.fluid_exchange == 0.0);
+      CHECK(pair.destination_force[2] ==
+            Approx(-load * width * width).epsilon(1e-6));
+      if (s < 0.2)
+      {
+         continue;
+      }
+      const Series series(s);
+      CHECK(Largest(stepper.State().GetBlock(1)) ==
+            Approx(load * series.pressure).epsilon(3e-3));
+      CHECK(Largest(stepper.State().GetBlock(0)) ==
+            Approx(load * series.compression / tissue).epsilon(3e-3));
+      CHECK(column.problem.RigidBodyStates().front().pose[2] ==
+            Approx(-load * series.compression / tissue).epsilon(3e-3));
+      CHECK(op.Balance().outflow ==
+            Approx(width * width * load * series.rate / (tissue * unit))
+               .epsilon(3e-3));
+      CHECK(pair.fluid_load_support ==
+            Approx(plane_drains ? 0.0 : series.pressure).margin(3e-3));
+      CHECK(pair.peak_pressure ==
+            Approx(plane_drains ? 0.0 : load * series.pressure)
+               .margin(3e-3 * load));
+   }
+}
+
+TEST_CASE("No fluid leaves between a sealed plane and a sealed base")
+{
+   const bool finite = GENERATE(false, true);
+   CAPTURE(finite);
+   PressedColumn column(finite, false, false);
+   const real_t unit = 1.0 / (tissue * kappa);
+   TimeOptions times;
+   times.step = 0.1 * unit;
+   times.end = 4 * times.step;
+   times.cut_back = false;
+   TimeStepper stepper(column.problem, times);
+   while (!stepper.Done())
+   {
+      const StepReport report = stepper.Step();
+      INFO(report.reason);
+      REQUIRE(report.converged);
+      const BiphasicOperator &op = column.problem.Operator();
+      const ContactDiagnostics pair = Diagnose(*op.Pairs().front());
+      // Of what leaves in a unit of time if one of them drains.
+      const real_t drained = width * width * load / (tissue * unit);
+      CHECK(std::abs(op.Balance().outflow) < 1e-6 * drained);
+      CHECK(std::abs(op.Balance().growth) < 1e-6 * drained);
+      CHECK(pair.fluid_load_support == Approx(1.0).epsilon(1e-5));
+      CHECK(Largest(stepper.State().GetBlock(1)) == Approx(load).epsilon(1e-5));
+      CHECK(Largest(stepper.State().GetBlock(0)) < 1e-5 * load / tissue);
    }
 }
 
