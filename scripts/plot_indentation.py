@@ -42,6 +42,13 @@ LEVELS = {"cartilage_top": "top", "cartilage_middle": "middle",
           "cartilage_bottom": "bottom"}
 
 
+def exact_label(out: Output) -> str:
+    """The references are of infinitesimal strain."""
+    physics = out.case().get("physics", {})
+    return ("exact, small strain" if physics.get("deformation") == "finite"
+            else "exact, rigid punch")
+
+
 def exact_axis_pressure(time: float) -> dict[str, np.ndarray]:
     """Columns z and p; the table leaves out the surface, where p = 0."""
     table = reference("indent_axis.csv").where("t", time)
@@ -85,7 +92,7 @@ def fluid_pressure(axes: plt.Axes, out: Output) -> None:
                   label=f"{label}, $z$ = {z:.3g} mm")
         axes.plot(0, 1e3 * interpolate(z, exact, "z", "p"), "k_",
                   markersize=12, clip_on=False, zorder=4,
-                  label="exact on the axis" if len(lines) == len(LEVELS)
+                  label=exact_label(out) if len(lines) == len(LEVELS)
                   else None)
     finish_radial(axes, lines, "fluid pressure $p$ (kPa)")
     axes.set_title(f"Fluid pressure, {HOLD:g} s")
@@ -119,7 +126,7 @@ def contact_stress(axes: plt.Axes, out: Output) -> None:
         line = out.line(name, HALFWAY)
         axes.plot(line["x"], 1e3 * line["szz"], label=label, **look)
     axes.plot(exact["r"][inside], 1e3 * exact["szz"][inside],
-              label="exact, rigid punch", **style.REFERENCE)
+              label=exact_label(out), **style.REFERENCE)
     mark_rim(axes)
     # The stress at the rim has no bound, here and in the exact solution.
     axes.set(xlabel="radius $r$ (mm)", xlim=(0, 1.04 * RADIUS),
@@ -134,7 +141,7 @@ def force(axes: plt.Axes, out: Output) -> None:
     exact = reference("indent_force.csv")
     axes.plot(time, value, label="Synovia")
     axes.plot(np.r_[0, exact["t"]], np.r_[0, exact["F_permeable"]],
-              label="exact, rigid punch", **style.REFERENCE)
+              label=exact_label(out), **style.REFERENCE)
     axes.set(xlabel="time (s)", ylabel="force (N)", xlim=(0, time.max()),
              ylim=(0, None), title="Force on the indenter")
     axes.legend(loc="lower right")
@@ -154,7 +161,7 @@ def axis_pressure(axes: plt.Axes, out: Output) -> None:
     line = out.line("axis", HOLD)
     exact = exact_axis_pressure(HOLD)
     axes.plot(1e3 * line["p"], line["z"], label="Synovia")
-    axes.plot(1e3 * exact["p"], exact["z"], label="exact, rigid punch",
+    axes.plot(1e3 * exact["p"], exact["z"], label=exact_label(out),
               **style.REFERENCE)
     axes.set(xlabel="fluid pressure $p$ (kPa)",
              ylabel="height over bone $z$ (mm)", xlim=(0, None),

@@ -72,7 +72,7 @@ QUICK = Extent(
 
 # Of both deformations, where a run takes six steps.
 FINITE = Extent(
-    base=5, sizes=(4, 6, 8), large=8, each=5, orders=FULL.orders,
+    base=4, sizes=(4, 6), large=6, each=4, orders=FULL.orders,
     steps=(1e-3, 1.0, 1e3), permeabilities=(1e-9, 1e-5, 1e-3, 1e1),
     poissons=(0.0, 0.3, 0.4, 0.45, 0.49), jumps=(1.0, 1e2, 1e4),
     penalties=(1.0, 1e3), without_contact=True)
