@@ -2,9 +2,12 @@
 #include "support/feb_text.hpp"
 #include "support/named_boxes.hpp"
 #include "support/temporary_directory.hpp"
+#include "synovia/general/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 namespace synovia
 {
@@ -13,10 +16,64 @@ using namespace mfem;
 
 namespace
 {
+const std::string folder = std::string(SYNOVIA_SOURCE_DIR) + "/miniapps/cases/";
+
 std::string ReadShipped(const std::string &name)
 {
-   return ReadText(std::string(SYNOVIA_SOURCE_DIR) + "/miniapps/cases/" + name +
-                   ".toml");
+   return ReadText(folder + name + ".toml");
+}
+
+// Of one half of a layer on which a body slides along x.
+NamedSerialMesh SlidingLayer()
+{
+   return {PlateMesh(0.0, 1.8, 0.0, 3.6, 1.0),
+           {{"cartilage", {1}}},
+           {{"bottom", {1}},
+            {"symmetry_y", {2}},
+            {"sides_x", {3, 5}},
+            {"sides_y", {4}},
+            {"top", {6}}}};
+}
+
+// Facets of thousands of mutants take time: a finer shape gets coarser ones,
+// but what is refused for its facets stays as it is.
+RigidShape Coarsened(RigidShape shape)
+{
+   constexpr real_t fine = 20.0;
+   constexpr real_t refused = 1e3;
+   const real_t extent = shape.type == RigidShape::Type::plane ? shape.edge
+                         : shape.type == RigidShape::Type::cylinder
+                            ? std::max(shape.radius, shape.height)
+                            : shape.radius;
+   const real_t facets = extent / shape.facet_size;
+   if (facets > fine && facets < refused)
+   {
+      shape.facet_size = extent / fine;
+   }
+   return shape;
+}
+
+NamedMesh WithShapes(const NamedSerialMesh &bodies, const CaseFile &setup)
+{
+   std::vector<RigidShape> shapes;
+   for (const RigidBodyCase &body : setup.rigid_bodies)
+   {
+      if (const std::optional<RigidShape> shape = body.Shape())
+      {
+         shapes.push_back(Coarsened(*shape));
+      }
+   }
+   try
+   {
+      NamedSerialMesh all =
+         AddShapes(bodies.mesh, bodies.regions, bodies.boundaries, shapes);
+      return DistributeMesh(all.mesh, all.regions, all.boundaries,
+                            MPI_COMM_WORLD);
+   }
+   catch (const Error &error) // on all ranks alike, as of a mesh in a file
+   {
+      throw Error(WhereIs(setup.places, "mesh.file") + ": " + error.what());
+   }
 }
 
 NamedMesh RingOfMeniscus()
@@ -65,11 +122,45 @@ NamedMesh Knee()
 }
 } // namespace
 
+NamedMesh &ShippedCase::MeshFor(const CaseFile &setup)
+{
+   if (bodies)
+   {
+      mesh = WithShapes(*bodies, setup);
+   }
+   return mesh;
+}
+
+std::vector<std::string> ShippedNames()
+{
+   std::vector<std::string> names;
+   for (const auto &file : std::filesystem::directory_iterator(folder))
+   {
+      if (file.path().extension() == ".toml")
+      {
+         names.push_back(file.path().stem().string());
+      }
+   }
+   std::sort(names.begin(), names.end());
+   return names;
+}
+
 std::vector<ShippedCase> ShippedCases()
 {
    std::vector<ShippedCase> cases;
    const auto add = [&](const std::string &name, NamedMesh mesh) {
       cases.push_back({name, ReadShipped(name), std::move(mesh)});
+   };
+   // With facets as coarse as will do, and keys that no shipped case has.
+   const auto add_sliding =
+      [&](const std::string &name, const std::string &more)
+   {
+      const std::string text = Replaced(ReadShipped(name), "radius = 10}",
+                                        "radius = 10, facet_size = 5}") +
+                               more;
+      const NamedSerialMesh layer = SlidingLayer();
+      cases.push_back(
+         {name, text, WithShapes(layer, ParseCase(text, name)), layer});
    };
    for (const std::string variant : {"", "_finite"})
    {
@@ -133,7 +224,8 @@ std::vector<ShippedCase> ShippedCases()
                                    {"column_sides_x", {9, 11}},
                                    {"column_sides_y", {8, 10}}},
                                   0.4, 0.4));
-   for (const std::string name : {"indentation", "indentation_hexahedra"})
+   for (const std::string name :
+        {"indentation", "indentation_finite", "indentation_hexahedra"})
    {
       add(name, TwoBoxes("cartilage", "indenter",
                          {{"bone", {1}},
@@ -146,6 +238,13 @@ std::vector<ShippedCase> ShippedCases()
                           {"indenter_side", {9, 10}}},
                          3.0, 0.75));
    }
+   add("indentation_wedge", OneBox("cartilage",
+                                   {{"bone", {1}},
+                                    {"symmetry_y", {2}},
+                                    {"top", {3}},
+                                    {"symmetry_turned", {4}},
+                                    {"punch", {6}}},
+                                   3.0, 0.75));
    add("hertz", TwoBoxes("lower", "upper",
                          {{"lower_bottom", {1}},
                           {"lower_contact", {6}},
@@ -157,7 +256,8 @@ std::vector<ShippedCase> ShippedCases()
                           {"upper_sides", {9, 10}}},
                          10.0, 10.0));
    for (const std::string name :
-        {"glenohumeral", "glenohumeral_hexahedra", "glenohumeral_ligaments"})
+        {"glenohumeral", "glenohumeral_finite", "glenohumeral_hexahedra",
+         "glenohumeral_ligaments"})
    {
       add(name, TwoBoxes("glenoid", "humeral",
                          {{"glenoid_bone", {1}},
@@ -171,7 +271,29 @@ std::vector<ShippedCase> ShippedCases()
                          10.0, 10.0, 1.5));
    }
    add("meniscus_ring", RingOfMeniscus());
-   add("knee", Knee());
+   for (const std::string name :
+        {"knee", "knee_finite", "knee_body_weight", "knee_stance"})
+   {
+      add(name, Knee());
+   }
+   add_sliding("migrating_contact",
+               "[[rigid_body]]\nname = \"roller\"\n"
+               "shape = {type = \"cylinder\", center = [0, 1, -8], "
+               "axis = [0, 1, 0], radius = 2, height = 4, facet_size = 2}\n"
+               "translation = [0, 0, 0]\nrotation = [0, 0, 0]\n"
+               "[[rigid_body]]\nname = \"bore\"\n"
+               "shape = {type = \"sphere\", center = [0, 0, -8], "
+               "radius = 4, hollow = true, facet_size = 4}\n"
+               "translation = [0, 0, 0]\nrotation = [0, 0, 0]\n");
+   add_sliding("resting_contact",
+               "[[rigid_body]]\nname = \"plate\"\n"
+               "shape = {type = \"plane\", center = [0, 0, -2], "
+               "normal = [0, 0, 1], edge = 4}\n"
+               "translation = [0, 0, 0]\nrotation = [0, 0, 0]\n"
+               "[[joint]]\nname = \"slide\"\nside = \"left\"\n"
+               "proximal = {body = \"sphere\", origin = [0, 0, 11], "
+               "flexion_axis = [1, 0, 0], long_axis = [0, 0, 1]}\n"
+               "distal = {body = \"plate\", origin = [0, 0, -2]}\n");
    return cases;
 }
 

@@ -16,6 +16,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <sstream>
 
@@ -27,12 +28,12 @@ namespace
 constexpr const char *source = "case.toml";
 
 /// What became of a text: a complaint, or none.
-std::string Try(const std::string &text, NamedMesh &mesh)
+std::string Try(const std::string &text, ShippedCase &shipped)
 {
    try
    {
       const CaseFile setup = ParseCase(text, source);
-      StepSequence steps(setup, mesh);
+      StepSequence steps(setup, shipped.MeshFor(setup));
       const ProblemReport report(steps.Present().setup, steps.Problem());
       const LineOutput lines(setup, steps.Problem().Get());
       std::ostringstream out;
@@ -59,11 +60,15 @@ std::string Try(const std::string &text, NamedMesh &mesh)
 
 TEST_CASE("The shipped cases fit the meshes of this test", "[case]")
 {
+   std::vector<std::string> names;
    for (ShippedCase &shipped : ShippedCases())
    {
       CAPTURE(shipped.name);
-      CHECK(Try(shipped.text, shipped.mesh) == "");
+      CHECK(Try(shipped.text, shipped) == "");
+      names.push_back(shipped.name);
    }
+   std::sort(names.begin(), names.end());
+   CHECK(names == ShippedNames());
 }
 
 TEST_CASE("A damaged case is an error that says where, or a case", "[case]")
@@ -82,7 +87,7 @@ TEST_CASE("A damaged case is an error that says where, or a case", "[case]")
          const std::string mutant = DamagedText(text, ++seed);
          CAPTURE(shipped.name, seed, mutant);
          const Clock::time_point start = Clock::now();
-         const std::string said = Try(mutant, shipped.mesh);
+         const std::string said = Try(mutant, shipped);
          const std::chrono::duration<double> seconds = Clock::now() - start;
          CAPTURE(said);
          CHECK(seconds.count() < 10.0);

@@ -301,6 +301,72 @@ TEST_CASE("What is wrong with elastic and rigid parts is said with its place")
    CHECK(ErrorOf(file, good).empty());
 }
 
+TEST_CASE("What is wrong with a shape is said with its key")
+{
+   struct Wrong
+   {
+      std::string shape;
+      std::vector<std::string> texts;
+   };
+   const std::string place = "center = [0.5, 0.5, 3]";
+   const std::string plane = "type = \"plane\", " + place;
+   const std::string roller = "type = \"cylinder\", " + place;
+   const std::string sphere = "type = \"sphere\", ";
+   const std::string of_file = "type = \"file\", file = \"it.stl\"";
+   const std::string key = "rigid_body.0.shape.";
+   const auto wrong = GENERATE_COPY(values<Wrong>({
+      {sphere + "radius = 1", {key + "center: this is missing"}},
+      {sphere + "center = [0.5, 3], radius = 1",
+       {key + "center: found a list of 2", "a list of 3 numbers"}},
+      {sphere + "center = [0.5, 0.5, inf], radius = 1",
+       {key + "center.2", "finite"}},
+      {sphere + place + ", radius = 1, hollow = 1",
+       {key + "hollow: found the integer 1", "true or false"}},
+      {sphere + place + ", radius = 1, normal = [0, 0, 1]",
+       {key + "normal", "\"plane\""}},
+      {sphere + place + ", radius = 1, height = 1",
+       {key + "height", "\"cylinder\""}},
+      {sphere + place + ", radius = 1, facet_size = 0",
+       {key + "facet_size: found 0", "\"auto\""}},
+      {sphere + place + ", radius = 1, facet_size = 1e-4",
+       {"the shape of \"indenter\"", "facets of 0.0001 are too small"}},
+      {plane + ", edge = 2, normal = [0, 0, 0]",
+       {"the shape of \"indenter\"", "the length of the normal is 0"}},
+      {plane + ", edge = 2, normal = 1",
+       {key + "normal: found the integer 1", "a list of 3 numbers"}},
+      {plane + ", normal = [0, 0, -1]", {key + "edge: this is missing"}},
+      {plane + ", edge = 0", {key + "edge: found 0; it must be positive"}},
+      {plane + ", edge = \"2\"", {key + "edge: found the string"}},
+      {plane + ", edge = 2, hollow = true", {key + "hollow", "\"sphere\""}},
+      {roller + ", radius = 1, height = 1, axis = [0, 0, 0]",
+       {"the shape of \"indenter\"", "the length of the axis is 0"}},
+      {roller + ", radius = 1, height = 1, axis = [0, 1]",
+       {key + "axis: found a list of 2"}},
+      {roller + ", radius = 1", {key + "height: this is missing"}},
+      {roller + ", radius = 1, height = -1",
+       {key + "height: found -1; it must be positive"}},
+      {roller + ", radius = 1, height = [1]",
+       {key + "height: found a list of 1"}},
+      {of_file + ", scale = 0", {key + "scale: found 0; it must be positive"}},
+      {of_file + ", scale = \"mm\"", {key + "scale: found the string \"mm\""}},
+      {of_file + ", " + place, {key + "center", "not with \"file\""}},
+      {"type = \"file\", file = [\"it.stl\"]",
+       {key + "file: found a list of 1", "a string"}},
+      {"type = \"none\", radius = 1", {key + "radius", "not with \"none\""}},
+   }));
+   CAPTURE(wrong.shape);
+   const BoxFile file;
+   const std::string error = ErrorOf(
+      file, Replaced(good,
+                     "type = \"sphere\", center = [0.5, 0.5, 3.1], radius = 1, "
+                     "facet_size = 0.4",
+                     wrong.shape));
+   for (const std::string &part : wrong.texts)
+   {
+      CHECK_THAT(error, Contains(part));
+   }
+}
+
 TEST_CASE("An acceleration needs something that is heavy")
 {
    std::string text = Replaced(good, "solid_density = 2e-3\n", "");

@@ -190,6 +190,12 @@ TEST_CASE("Wrong tuning is said where it is")
                        "steps"));
    CHECK_THAT(Problem("solver.tuning.contact.sealing_coverage=1.5"),
               Contains("found 1.5; it must be from 0 to 1"));
+   CHECK_THAT(Problem("solver.tuning.contact.kept_slide=-0.1"),
+              Contains("solver.tuning.contact.kept_slide: found -0.1; it must "
+                       "be at least 0"));
+   CHECK_THAT(Problem("solver.tuning.contact.kept_slide=\"auto\""),
+              Contains("solver.tuning.contact.kept_slide: found the string "
+                       "\"auto\"; expected a number"));
    CHECK_THAT(Problem("solver.tuning.newton.final_accuracy=1.0"),
               Contains("found 1; it must be between 0 and 1"));
    CHECK_THAT(Problem("solver.tuning.factorization.column_batch=0"),

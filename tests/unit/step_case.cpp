@@ -254,6 +254,38 @@ TEST_CASE("Errors of steps say where, and in which step")
               Contains(wrong.message));
 }
 
+TEST_CASE("A body's motion is relative where it is prescribed")
+{
+   const std::string body = "[[rigid_body]]\nname = \"block\"\n"
+                            "surfaces = \"lower_z0\"\n";
+   // In place of the first boundary.
+   const std::string text = Replaced(
+      good, "[[boundary]]\nsurfaces = \"lower_z0\"\ndisplacement = [0, 0, 0]\n",
+      body + "translation = [0, 0, 0]\nrotation = [0, 0, 0]\n");
+   const auto said = [&](const std::string &lines)
+   {
+      return ErrorOf(Replaced(text, "max_step = 4\n",
+                              "max_step = 4\n[[step.rigid_body]]\n"
+                              "name = \"block\"\n" +
+                                 lines));
+   };
+   const std::string moved =
+      "translation = [0, 0, {times = [0, 20], values = [0, 0.1]}]\n"
+      "rotation = [0, 0, 0]\n";
+   CHECK(said("relative = true\n" + moved) == "");
+   CHECK_THAT(said("relative = true\n"),
+              Contains(".relative: in the step \"slide\": no freedom is "
+                       "prescribed here"));
+   CHECK_THAT(said("relative = true\nforce = [0, 0, 1]\n"),
+              Contains(".relative: in the step \"slide\": no freedom is "
+                       "prescribed here"));
+   CHECK_THAT(said("relative = [0, 0, 1]\n" + moved),
+              Contains("step.2.rigid_body.0.relative: found a list of 3; "
+                       "expected true or false"));
+   CHECK_THAT(ErrorOf(Replaced(text, body, body + "relative = true\n")),
+              Contains("rigid_body.0.relative: there is no such key"));
+}
+
 TEST_CASE("A body that nothing holds in a later step is an error before the "
           "first one")
 {

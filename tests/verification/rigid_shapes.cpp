@@ -3,8 +3,8 @@
 //
 // Rigid bodies without a mesh that press deformable ones.
 //
-// 1. A plane that compresses a confined column, by its travel or by its force,
-//    does what a prescribed displacement does.
+// 1. A plane that compresses a confined column by its travel does what a
+//    prescribed displacement does, a square or triangles from an STL file.
 // 2. A sphere of radius R on an elastic half-space (Hertz): with E* =
 //    E/(1 - nu^2) and the approach d, a^2 = R d and F = 4/3 E* a^3/R. The block
 //    of ten contact radii is a quarter; its outer faces move as Boussinesq's
@@ -14,12 +14,14 @@
 //    a^2 = 4 f R/(pi E*) and the largest traction 2 f/(pi a).
 
 #include "support/boxes.hpp"
+#include "support/temporary_directory.hpp"
 #include "synovia/mesh/shape_mesh.hpp"
 #include "synovia/synovia.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <sstream>
 
 using namespace mfem;
 using namespace synovia;
@@ -112,10 +114,65 @@ std::vector<real_t> March(BiphasicProblem &problem)
 }
 } // namespace
 
+namespace
+{
+// A square of edge 1 that faces down, as triangles of different sizes, in
+// another unit.
+std::string FacetsOfPlane(const Point3 &center, real_t scale)
+{
+   constexpr int n = 5;
+   const auto corner = [&](int i, int j)
+   {
+      const bool inside = i > 0 && i < n && j > 0 && j < n;
+      const real_t off = inside ? 0.3 / n : 0.0;
+      const real_t x = real_t(i) / n - 0.5 + off * std::sin(3.0 * i + 5.0 * j);
+      const real_t y = real_t(j) / n - 0.5 + off * std::cos(7.0 * i - 2.0 * j);
+      return Point3{
+         {(center[0] + x) / scale, (center[1] + y) / scale, center[2] / scale}};
+   };
+   std::ostringstream out;
+   out.precision(17);
+   out << "solid plane\n";
+   const auto triangle = [&](const Point3 &a, const Point3 &b, const Point3 &c)
+   {
+      out << "facet normal 0 0 -1\nouter loop\n";
+      for (const Point3 &p : {a, b, c})
+      {
+         out << "vertex " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+      }
+      out << "endloop\nendfacet\n";
+   };
+   for (int j = 0; j < n; j++)
+   {
+      for (int i = 0; i < n; i++)
+      {
+         const Point3 a = corner(i, j);
+         const Point3 b = corner(i + 1, j);
+         const Point3 c = corner(i + 1, j + 1);
+         const Point3 d = corner(i, j + 1);
+         if ((i + j) % 2 == 0)
+         {
+            triangle(a, c, b);
+            triangle(a, d, c);
+         }
+         else
+         {
+            triangle(a, d, b);
+            triangle(b, d, c);
+         }
+      }
+   }
+   out << "endsolid plane\n";
+   return out.str();
+}
+} // namespace
+
 TEST_CASE("A plane compresses a column as a prescribed displacement does")
 {
    const bool finite = GENERATE(false, true);
-   CAPTURE(finite);
+   const bool from_file = GENERATE(false, true);
+   CAPTURE(finite, from_file);
+   const TemporaryDirectory directory;
    const Laws laws;
    const SolidLaw &solid =
       finite ? static_cast<const SolidLaw &>(laws.finite) : laws.linear;
@@ -135,6 +192,13 @@ TEST_CASE("A plane compresses a column as a prescribed displacement does")
    plane.center = {0.2, 0.2, 1.0};
    plane.axis = {0.0, 0.0, -2.0};
    plane.edge = 1.0;
+   if (from_file)
+   {
+      plane.type = RigidShape::Type::file;
+      plane.scale = 0.01;
+      plane.file =
+         directory.Write("plane.stl", FacetsOfPlane(plane.center, plane.scale));
+   }
    NamedMesh mesh = WithShape(box, plane);
    BiphasicProblem pressed(mesh, Space(finite));
    pressed.SetMaterial("body", solid, laws.permeability);
