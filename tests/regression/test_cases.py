@@ -280,10 +280,17 @@ def osteochondral_core(run: Runs) -> None:
 
 
 def sliding_sphere(run: Runs) -> None:
-    """The first strokes of both cases of the sphere, on a coarse mesh."""
+    """The first half of both cases of the sphere, on a coarse mesh."""
     mesh = run.mesh("boxes.py", "sliding_layer", "--size", "1.5")
-    for case, end in (("migrating_contact", 12), ("resting_contact", 8)):
-        rows = run(CASES / f"{case}.toml", mesh, f"time.end={end}")
+    support, friction = "fluid_load_support", "friction_coefficient"
+    change: dict[str, dict[str, float]] = {}
+    last: dict[str, dict[str, float]] = {}
+    for case in ("migrating_contact", "resting_contact"):
+        rows = run(CASES / f"{case}.toml", mesh, "time.end=227")
+        first, last[case] = at(rows, 27), at(rows, 227)
+        change[case] = {name: last[case][f"contact.sphere.{name}"]
+                        / first[f"contact.sphere.{name}"]
+                        for name in (support, friction)}
         for row in rows:
             # Before it slides, friction is towards the middle.
             if row["t"] < 4:
@@ -299,6 +306,21 @@ def sliding_sphere(run: Runs) -> None:
         check(all(abs(row["contact.sphere.source_force_z"] / 0.5 - 1) < 1e-4
                   for row in rows if row["t"] >= 2), "the layer bears the load")
         balanced(rows, "sphere", 1e-2)
+    # From the end of the first stroke on.
+    stays, falls = change["migrating_contact"], change["resting_contact"]
+    check(0.93 < stays[support] < 1.02, "where contact migrates the fluid's "
+          f"share stays: {stays[support]:.3f} times the first one")
+    check(falls[support] < 0.75, "where it rests the share falls: "
+          f"{falls[support]:.3f} times the first one")
+    check(0.98 < stays[friction] < 1.07, "where it migrates friction stays: "
+          f"{stays[friction]:.3f} times the first one")
+    check(falls[friction] > 1.25, "where it rests friction grows: "
+          f"{falls[friction]:.3f} times the first one")
+    rests, migrates = (last[case][f"contact.sphere.{support}"]
+                       for case in ("resting_contact", "migrating_contact"))
+    check(rests < 0.85 * migrates, "in the end the fluid bears "
+          f"{100 * rests:.0f} % where contact rests, {100 * migrates:.0f} % "
+          "where it migrates")
 
 
 def hertz(run: Runs) -> None:

@@ -87,7 +87,9 @@ struct SlideHistory
    /// slides.
    std::vector<real_t> dissipation;
    std::vector<real_t> sliding;
-   std::vector<int> newton;
+   /// Of all steps: the most iterations of Newton's method, and attempts that
+   /// failed.
+   int most_newton = 0;
    int failures = 0;
 };
 
@@ -131,6 +133,7 @@ SlideHistory Slide(real_t friction)
       INFO(report.reason);
       REQUIRE(report.converged);
       slide.failures += report.failures;
+      slide.most_newton = std::max(slide.most_newton, report.solve.newton);
       if (stepper.Time() < pressed - 1e-6 * long_time)
       {
          continue;
@@ -141,7 +144,6 @@ SlideHistory Slide(real_t friction)
       slide.along.push_back(now.destination_force[0]);
       slide.dissipation.push_back(now.friction.dissipation);
       slide.sliding.push_back(now.friction.sliding);
-      slide.newton.push_back(report.solve.newton);
    }
    return slide;
 }
@@ -172,6 +174,8 @@ TEST_CASE("Friction holds it back by the same force on each of them")
    constexpr real_t mu = 0.3;
    const SlideHistory slide = Slide(mu);
    CHECK(slide.failures == 0);
+   // In the step in which all of it lets go; others take 4 to 6.
+   CHECK(slide.most_newton <= 9);
    const auto &all = slide.sliding;
    const int from =
       static_cast<int>(std::find(all.begin(), all.end(), 1.0) - all.begin());
@@ -183,8 +187,6 @@ TEST_CASE("Friction holds it back by the same force on each of them")
       CAPTURE(i, slide.pressed[i], slide.along[i]);
       CHECK(slide.dissipation[i] >= slide.dissipation[i - 1]);
       CHECK((i < from || all[i] == 1.0));
-      // The step in which all of it lets go takes 12.
-      CHECK((i <= from || slide.newton[i] <= 9));
    }
    CAPTURE(slide.pressed, slide.along);
    CHECK(Spread(slide.pressed, from) <= 0.01);

@@ -27,6 +27,9 @@ constexpr int most_iterations = 9;
 // Of a step; thousands of gel times.
 constexpr real_t long_time = 1.0e9;
 constexpr real_t mu = 0.3;
+constexpr real_t layer_modulus = 0.5;
+constexpr real_t block_modulus = 5.0;
+constexpr real_t poisson = 0.3;
 
 /// A layer that is held at its bottom, and a block on it, in plane strain.
 class Blocks
@@ -93,8 +96,8 @@ private:
    }
 
    NamedMesh mesh;
-   NeoHookean layer{0.5, 0.3};
-   NeoHookean block{5.0, 0.3};
+   NeoHookean layer{layer_modulus, poisson};
+   NeoHookean block{block_modulus, poisson};
    ConstantPermeability fluid{4.0e-3};
 
 public:
@@ -109,105 +112,213 @@ TEST_CASE("An elastic block sticks below the angle of friction")
 {
    constexpr real_t area = 0.8 * 0.2;
    constexpr real_t pressed = 0.02;
-   constexpr real_t stiffness = 0.02;
+   constexpr real_t stiffness = 3e-3;
    Blocks blocks;
    BiphasicProblem &problem = blocks.problem;
    problem.AddTraction("upper_z1", Vector({0.0, 0.0, -1.0}),
                        LoadCurve({0.0, 2.0 * long_time}, {0.0, pressed}));
    // What the bodies' weight does on an incline that gets steeper: the tangent
-   // of its angle, over mu, is 0 until it rises to 1.3.
-   const real_t pull = 1.3 * mu * pressed;
-   problem.AddTraction(
-      "upper_z1", Vector({1.0, 0.0, 0.0}),
-      LoadCurve({0.0, 2.0 * long_time, 15.0 * long_time}, {0.0, 0.0, pull}));
+   // of its angle, over mu.
+   const std::vector<real_t> slopes{0.0,  0.0, 0.0,  0.1,  0.2,  0.3,
+                                    0.4,  0.5, 0.6,  0.7,  0.8,  0.9,
+                                    0.95, 1.0, 1.01, 1.02, 1.03, 1.04};
+   std::vector<real_t> at;
+   std::vector<real_t> pulls;
+   for (const real_t slope : slopes)
+   {
+      at.push_back(static_cast<real_t>(at.size()) * long_time);
+      pulls.push_back(slope * mu * pressed);
+   }
+   problem.AddTraction("upper_z1", Vector({1.0, 0.0, 0.0}),
+                       LoadCurve(at, pulls));
    // A spring ends the slide.
    problem.AddSprings({"upper_z1"}, stiffness, Vector({1.0, 0.0, 0.0}));
    TimeOptions times;
-   times.end = 15.0 * long_time;
+   times.end = at.back();
    times.step = long_time;
    TimeStepper stepper(problem, times);
-   real_t slipped = 0.0;
+   const real_t limit = mu * pressed * area;
+   // Of the block, for a slope of 1, if nothing slips (length).
+   real_t elastic = 0.0;
+   int stuck = 0;
+   int slid = 0;
    while (!stepper.Done())
    {
       blocks.Step(stepper);
-      const real_t slope =
-         std::max<real_t>(0.0, stepper.Time() / long_time - 2.0) * 0.1;
+      const real_t slope = slopes[stepper.Steps()];
       const Point3 spring =
          problem.Conditions().Springs()[0].Force(stepper.State().GetBlock(0));
-      const real_t held = blocks.Friction().force[0];
-      const real_t pulled = slope * mu * pressed * area;
+      const FrictionDiagnostics friction = blocks.Friction();
+      const real_t held = friction.force[0] / limit;
       // The layer gives way under the block, and is not quite flat: pressure
-      // holds the block, too.
-      const real_t on_layer = Diagnose(blocks.Pair()).destination_force[0];
-      CAPTURE(slope, spring[0], held, blocks.Friction().sliding);
-      CHECK(on_layer - spring[0] == Approx(pulled).epsilon(1e-6).margin(1e-12));
-      if (slope > 0.05 && slope < 0.95)
+      // pushes the block along by 0.013 of the limit.
+      const real_t on_layer =
+         Diagnose(blocks.Pair()).destination_force[0] / limit;
+      const real_t sprung = -spring[0] / limit;
+      const real_t moved = -spring[0] / stiffness;
+      CAPTURE(slope, sprung, held, on_layer, moved / elastic, friction.sliding);
+      CHECK(on_layer + sprung == Approx(slope).epsilon(1e-6).margin(1e-9));
+      CHECK(held <= 1.0);
+      if (slope > 0.05 && slope < 0.55)
       {
-         // Parts of the rim may slide.
-         CHECK(blocks.Friction().sliding < 1.0);
-         CHECK(std::abs(spring[0]) <= 0.17 * pulled);
-         slipped = std::abs(spring[0]);
+         CHECK(friction.sliding == 0.0);
+         elastic = moved / slope;
+         stuck++;
       }
-      else if (slope > 1.15)
+      else if (slope > 0.55 && slope < 1.005)
       {
-         CHECK(blocks.Friction().sliding == 1.0);
-         CHECK(held == Approx(mu * pressed * area).epsilon(3e-3));
+         // At 1 the spring has 0.027 of it: contact holds a slope of 0.97. The
+         // rim slides, and the block as far as that makes it softer.
+         CHECK(friction.sliding < 0.8);
+         CHECK(moved <= 1.05 * elastic * slope);
+         CHECK(sprung <= 0.03);
+         stuck++;
+      }
+      else if (slope > 1.025)
+      {
+         // With that share of the spring, contact would have to hold a slope
+         // of 1.00.
+         CHECK(friction.sliding == 1.0);
+         CHECK(held == Approx(1.0).epsilon(2e-3));
+         CHECK(moved > 1.5 * elastic * slope);
+         slid++;
       }
    }
-   CHECK(slipped > 0.0);
+   CHECK(stuck == 11);
+   CHECK(slid == 2);
 }
+
+namespace
+{
+/// The integral of the bodies' stored energy, at the points at which forces are
+/// integrated, of which it is the potential.
+real_t StoredEnergy(const ParGridFunction &u)
+{
+   ParMesh &mesh = *u.ParFESpace()->GetParMesh();
+   real_t energy = 0.0;
+   DenseMatrix F(3);
+   for (int e = 0; e < mesh.GetNE(); e++)
+   {
+      const bool upper = mesh.GetAttribute(e) == 2;
+      const real_t young = upper ? block_modulus : layer_modulus;
+      const real_t shear = 0.5 * young / (1.0 + poisson);
+      const real_t lambda = 2.0 * shear * poisson / (1.0 - 2.0 * poisson);
+      ElementTransformation &trans = *mesh.GetElementTransformation(e);
+      const IntegrationRule &rule = IntRules.Get(Geometry::CUBE, 4);
+      for (int q = 0; q < rule.GetNPoints(); q++)
+      {
+         trans.SetIntPoint(&rule.IntPoint(q));
+         u.GetVectorGradient(trans, F);
+         for (int d = 0; d < 3; d++)
+         {
+            F(d, d) += 1.0;
+         }
+         const real_t volume = std::log(F.Det());
+         const real_t stretches = F.FNorm2() - 3.0;
+         energy += rule.IntPoint(q).weight * trans.Weight() *
+                   (shear * (0.5 * stretches - volume) +
+                    0.5 * lambda * volume * volume);
+      }
+   }
+   return SumOverRanks(energy, mesh.GetComm());
+}
+} // namespace
 
 TEST_CASE("What is moved to and fro gives back what friction does not take")
 {
+   // Pressed, moved out, back and forth, and lifted: in no step the bodies give
+   // more than they have stored, nor friction takes what isn't paid for.
    Blocks blocks;
    BiphasicProblem &problem = blocks.problem;
    constexpr int steps = 16;
+   constexpr int lifting = 8;
    constexpr real_t depth = 0.02;
    constexpr real_t way = 0.02;
    const real_t begin = 2.0 * long_time;
    const real_t quarter = steps * long_time;
-   problem.PrescribeDisplacement(
-      "upper_z1", 0,
-      LoadCurve({0.0, begin, begin + quarter, begin + 3.0 * quarter,
-                 begin + 5.0 * quarter},
-                {0.0, 0.0, way, -way, way}));
-   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
-   problem.PrescribeDisplacement("upper_z1", 2, Ramp(begin, -depth));
+   const real_t lift = begin + 5.0 * quarter;
+   const real_t apart = lift + lifting * long_time;
    TimeOptions times;
-   times.end = begin + 5.0 * quarter;
+   times.end = apart + long_time;
    times.step = long_time;
+   const LoadCurve along(
+      {0.0, begin, begin + quarter, begin + 3.0 * quarter, lift},
+      {0.0, 0.0, way, -way, way});
+   const LoadCurve up({0.0, begin, lift, apart, times.end},
+                      {0.0, -depth, -depth, 0.0, 0.1 * depth});
+   problem.PrescribeDisplacement("upper_z1", 0, along);
+   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
+   problem.PrescribeDisplacement("upper_z1", 2, up);
    TimeStepper stepper(problem, times);
-   real_t work = 0.0;
-   real_t last_force = 0.0;
+   /// All since the run began, but for the force.
+   struct Account
+   {
+      real_t time = 0.0;
+      Point3 force{{0.0, 0.0, 0.0}};
+      real_t work = 0.0;
+      real_t stored = 0.0;
+      real_t dissipated = 0.0;
+   };
+   Account before;
+   Account turned;
+   Account back_again;
+   real_t most_stored = 0.0;
    real_t least_sliding = 1.0;
-   real_t dissipated = 0.0;
-   const real_t change = way / steps;
    while (!stepper.Done())
    {
       blocks.Step(stepper);
-      const real_t force = blocks.Friction().force[0];
-      const real_t t = (stepper.Time() - begin) / quarter;
-      // From the first turning point to where it comes by again: the layer is
-      // as it was.
-      if (t < 1.0 + 1e-6)
+      Account now;
+      now.time = stepper.Time();
+      now.force = problem.Reaction(problem.Supports().back());
+      now.stored = StoredEnergy(stepper.Displacement());
+      now.dissipated = blocks.Friction().dissipation;
+      const Point3 motion{{along(now.time) - along(before.time), 0.0,
+                           up(now.time) - up(before.time)}};
+      // Of all that moves the bodies.
+      const real_t work =
+         0.5 * (Dot(before.force, motion) + Dot(now.force, motion));
+      now.work = before.work + work;
+      most_stored = std::max(most_stored, now.stored);
+      // What bodies and friction didn't give back.
+      const real_t lost = work - (now.stored - before.stored);
+      const real_t taken = now.dissipated - before.dissipated;
+      const real_t sliding = blocks.Friction().sliding;
+      CAPTURE((now.time - begin) / long_time, work, lost, taken, sliding);
+      // Up to the error of the trapezoidal rule.
+      CHECK(lost >= -2e-4 * most_stored);
+      // Forces of the contact are no gradient of the gap: under the sharp edges
+      // of the block pressure gives and takes by the place, in a step up to 3 %
+      // of what friction takes where all slides. With half the step, or
+      // elements of half the size, it is as much.
+      const real_t slide =
+         mu * Length({{0.0, 0.0, now.force[2]}}) * way / steps;
+      CHECK(lost >= taken - 0.03 * slide - 2e-4 * most_stored);
+      if (std::abs(now.time - begin - quarter) < 0.5 * long_time)
       {
-         dissipated = -blocks.Friction().dissipation;
+         turned = now;
       }
-      else
+      if (std::abs(now.time - lift) < 0.5 * long_time)
       {
-         const real_t motion = t < 3.0 + 1e-6 ? -change : change;
-         // The force on the layer at the beginning and at the end of a step.
-         work += 0.5 * (force + last_force) * motion;
-         least_sliding = std::min(least_sliding, blocks.Friction().sliding);
+         back_again = now;
+         CHECK(sliding == 1.0);
       }
-      last_force = force;
+      if (now.time > begin + quarter && now.time < lift)
+      {
+         least_sliding = std::min(least_sliding, sliding);
+      }
+      before = now;
    }
-   dissipated += blocks.Friction().dissipation;
-   CAPTURE(work, dissipated, least_sliding);
-   CHECK(dissipated > 0.0);
    CHECK(least_sliding < 0.5);
-   CHECK(blocks.Friction().sliding == 1.0);
-   CHECK(work == Approx(dissipated).epsilon(0.03));
+   // From the first turning point to where it comes by again what the place
+   // gives it takes.
+   const real_t taken = back_again.dissipated - turned.dissipated;
+   const real_t lost =
+      back_again.work - turned.work - (back_again.stored - turned.stored);
+   CHECK(std::abs(back_again.stored - turned.stored) <= 0.01 * taken);
+   CHECK(lost == Approx(taken).epsilon(5e-3));
+   // Lifted, bodies have nothing left.
+   CHECK(before.stored <= 1e-9 * most_stored);
+   CHECK(before.work >= before.dissipated);
 }
 
 namespace
@@ -277,23 +388,28 @@ TEST_CASE("A pair that turns as a whole keeps its friction")
    problem.PrescribePressure("lower_z0", 0.0);
    problem.PrescribePressure("upper_z1", 0.01);
    ContactOptions contact;
-   contact.gap_tolerance = 1e-10;
    contact.friction = {mu, 1.0};
    problem.AddContact("upper_z0", "lower_z1", contact);
    NonlinearOptions nonlinear;
    nonlinear.linear.method = LinearMethod::direct;
-   nonlinear.linear.relative_tolerance = 1e-10;
    problem.SetNonlinearOptions(nonlinear);
    TimeOptions times;
    times.end = 12.0 * long_time;
    times.step = 0.5 * long_time;
    TimeStepper stepper(problem, times);
    ContactDiagnostics before;
+   int hard_steps = 0;
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
       CAPTURE(report.reason, report.time / long_time, report.solve.newton);
       REQUIRE(report.converged);
+      CHECK(report.failures == 0);
+      // But for one step in which what slides begins to turn about its normal,
+      // and goes back to sticking in part.
+      const bool hard = axis == 2 && report.solve.newton > most_iterations;
+      hard_steps += hard ? 1 : 0;
+      CHECK(report.solve.newton <= (hard ? 12 : most_iterations));
       if (std::abs(stepper.Time() / long_time - 4.0) < 1e-6)
       {
          before = Diagnose(*problem.Operator().Pairs().front());
@@ -301,6 +417,7 @@ TEST_CASE("A pair that turns as a whole keeps its friction")
    }
    const ContactDiagnostics after =
       Diagnose(*problem.Operator().Pairs().front());
+   CHECK(hard_steps <= 1);
    const int i = (axis + 1) % 3;
    const int k = (axis + 2) % 3;
    const auto compare = [&](const Point3 &now, const Point3 &then)

@@ -35,10 +35,10 @@ namespace
 constexpr real_t size = 5.0;
 constexpr real_t radius = 200.0;
 constexpr real_t approach = 0.01;
-constexpr real_t push = 0.003;
+constexpr real_t push = 0.002;
 constexpr real_t mu = 0.3;
 constexpr int presses = 2;
-constexpr int pushes = 6;
+constexpr int pushes = 4;
 constexpr real_t long_time = 1e9;
 
 // Uniform where the contact is, then growing to the size at s = 1.
@@ -56,12 +56,12 @@ real_t Graded(real_t s)
 NamedMesh MakeBodies()
 {
    BoxOptions lower;
-   lower.nx = 14;
-   lower.ny = 7;
+   lower.nx = 20;
+   lower.ny = 10;
    lower.nz = 4;
    BoxOptions upper;
-   upper.nx = 12;
-   upper.ny = 6;
+   upper.nx = 17;
+   upper.ny = 8;
    upper.nz = 4;
    Mesh mesh = MakeStackMesh(lower, upper);
    mesh.SetCurvature(2);
@@ -180,13 +180,14 @@ TEST_CASE("The radius within which pushed spheres stick")
       CHECK(report.solve.newton <= 9);
       const Partial partial = Measure(problem);
       const real_t exact = std::cbrt(1.0 - partial.share);
-      if (partial.share > 0.2 && partial.share < 0.75)
+      if (partial.share > 0.15 && partial.share < 0.75)
       {
          CAPTURE(partial.share, exact, partial.stick, partial.stick_by_area);
-         CHECK(partial.stick == Approx(exact).epsilon(0.03));
-         CHECK(partial.stick_by_area == Approx(exact).epsilon(0.15));
+         CHECK(partial.stick == Approx(exact).epsilon(0.012));
+         // Vertices are a fifth of a apart.
+         CHECK(partial.stick_by_area == Approx(exact).epsilon(0.05));
          compared++;
       }
    }
-   CHECK(compared >= 2);
+   CHECK(compared == 4);
 }

@@ -24,9 +24,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace mfem;
 using namespace synovia;
@@ -111,14 +109,21 @@ TEST_CASE("Fluid that bears the load does not rub")
    }
    TimeStepper stepper(problem, times);
    auto next = references.begin();
-   int most_newton = 0;
+   int halves = 0;
    real_t dissipation = 0.0;
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
       INFO(report.reason);
       REQUIRE(report.converged);
-      most_newton = std::max(most_newton, report.solve.newton / 3);
+      // Of all three stages. At the start and after the ramp's corner a step is
+      // taken as a whole and in halves.
+      const real_t begin = report.time - report.dt;
+      const bool halved = begin < 1e-9 || std::abs(begin - ramp) < 1e-9;
+      CAPTURE(begin, report.solve.newton);
+      CHECK(report.failures == 0);
+      CHECK(report.solve.newton <= (halved ? 3 * 9 : 9));
+      halves += halved ? 1 : 0;
       const ContactDiagnostics now =
          Diagnose(*problem.Operator().Pairs().front());
       CHECK(now.friction.dissipation >= dissipation);
@@ -140,6 +145,6 @@ TEST_CASE("Fluid that bears the load does not rub")
       next++;
    }
    CHECK(next == references.end());
-   CHECK(most_newton <= 9);
-   INFO(stepper.Steps());
+   CHECK(halves == 2);
+   CHECK(stepper.Steps() >= 30);
 }
