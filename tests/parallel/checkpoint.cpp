@@ -5,6 +5,7 @@
 // others, goes on as the run that was not interrupted: a box is pressed onto a
 // layer, and its contact comes and goes.
 
+#include "parallel/held_box.hpp"
 #include "support/pressed_box.hpp"
 #include "support/temporary_directory.hpp"
 #include "synovia/io/canonical_order.hpp"
@@ -347,4 +348,33 @@ TEST_CASE("A run resumed while the box rubs equals the uninterrupted one")
    const TemporaryDirectory directory;
    const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
    Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-8);
+}
+
+TEST_CASE("A run with a free rigid body that rubs, resumed by more ranks or on "
+          "the first of them, equals the uninterrupted one")
+{
+   constexpr real_t interruption = 15.0;
+   const int size = Mpi::WorldSize();
+   const TemporaryDirectory directory;
+   const FirstRanks fewer(std::max(1, size - 1));
+   if (fewer.Has())
+   {
+      HeldBox box(held_box, fewer.Get());
+      box.March(interruption);
+      WriteCheckpoint(directory.Path(), box.Problem(), box.Stepper());
+   }
+   MPI_Barrier(MPI_COMM_WORLD);
+   const std::string file =
+      FindCheckpoint(directory.Path(), MPI_COMM_WORLD).file;
+   CHECK_FALSE(file.empty());
+   const auto whole = HeldBox(held_box, MPI_COMM_WORLD).March();
+   const auto resume = [&](MPI_Comm comm)
+   {
+      HeldBox box(held_box, comm);
+      ReadCheckpoint(file, box.Problem(), box.Stepper());
+      CHECK(box.Stepper().Time() == Approx(interruption));
+      return box.March();
+   };
+   CheckSame(resume(MPI_COMM_WORLD), whole, 1e-6);
+   CheckSame(resume(MPI_COMM_SELF), whole, 1e-6);
 }

@@ -22,6 +22,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 sys.dont_write_bytecode = True
 
+from killed_runs import kill, wait_for  # noqa: E402
 from program_checks import (  # noqa: E402
     MPIEXEC, PROGRAMS, SOURCE, check, descendants, finish, history)
 
@@ -29,20 +30,6 @@ STEP, END, BETWEEN = 2.0, 200.0, 5
 KILLS = 10
 FORCE = "contact.columns.force_z"
 PEAK = "fluid.peak_pressure"
-
-
-def wait_for(run: subprocess.Popen, output: pathlib.Path, after: float,
-             steps: int) -> None:
-    """Until the run has got so many steps beyond the time, or has ended."""
-    file = output / "history.csv"
-    while run.poll() is None:
-        try:
-            last = history(output)[-1]["t"] if file.exists() else 0.0
-        except (IndexError, TypeError, ValueError):
-            last = 0.0   # it is being written
-        if after + steps * STEP <= last:
-            return
-        time.sleep(0.005)
 
 
 class Case:
@@ -98,14 +85,10 @@ def killed(case: Case, directory: pathlib.Path,
     resumed = 0
     for attempt in range(KILLS):
         run = case.start(1 + attempt % 3, output, "--resume")
-        wait_for(run, output, reached, chance.randrange(1, 2 * BETWEEN))
+        wait_for(run, output,
+                 reached + chance.randrange(1, 2 * BETWEEN) * STEP)
         time.sleep(chance.uniform(0.0, 0.05))
-        for pid in [*descendants(run.pid), run.pid]:
-            try:
-                os.kill(pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-        text, _ = run.communicate()
+        text = kill(run)
         at = re.search(r"goes on from t = ([0-9.e+]+)", text)
         if at:
             resumed += 1
@@ -127,7 +110,7 @@ def interrupted(case: Case, directory: pathlib.Path,
     # A name that a shell would take apart.
     output = directory / "it's $HOME & more"
     run = case.start(2, pathlib.Path(output.name), cwd=directory)
-    wait_for(run, output, 0.0, 2 * BETWEEN)
+    wait_for(run, output, 2 * BETWEEN * STEP)
     # To the ranks themselves: mpirun passes it on, but gives them one second,
     # which is short for a step on a busy machine.
     for pid in descendants(run.pid):

@@ -1,4 +1,4 @@
-// ranks: 1 2 3 4
+// ranks: 1 2 3 4 16
 // A mesh that rank 0 alone holds, in the shares of the ranks.
 
 #include "synovia/mesh/mesh_share.hpp"
@@ -62,12 +62,12 @@ Mesh AllShapes(int order)
                  order);
 }
 
-MeshShare Share(const Mesh &whole, MPI_Comm comm)
+MeshShare Share(const Mesh &whole, MPI_Comm comm,
+                std::vector<int> partitioning = {})
 {
    int rank = 0;
    MPI_Comm_rank(comm, &rank);
    Mesh serial = rank == 0 ? Mesh(whole) : Mesh();
-   std::vector<int> partitioning;
    return ScatterMesh(serial, {}, {}, comm, partitioning);
 }
 
@@ -114,7 +114,6 @@ real_t AreaOf(Mesh &mesh, int attribute)
 void CompareElements(MeshShare &share, Mesh &whole)
 {
    std::vector<int> found(whole.GetNE(), 0);
-   REQUIRE(share.mesh->GetNE() > 0);
    REQUIRE(static_cast<int>(share.serial_elements.size()) ==
            share.mesh->GetNE());
    for (int i = 0; i < share.mesh->GetNE(); i++)
@@ -129,13 +128,27 @@ void CompareElements(MeshShare &share, Mesh &whole)
       REQUIRE(here.size() == there.size());
       for (std::size_t k = 0; k < here.size(); k++)
       {
-         CHECK(here[k] == Approx(there[k]).margin(1e-15));
+         CHECK(std::abs(here[k] - there[k]) <= 1e-15);
       }
    }
    MPI_Allreduce(MPI_IN_PLACE, found.data(), whole.GetNE(), MPI_INT, MPI_SUM,
                  MPI_COMM_WORLD);
    CHECK(std::all_of(found.begin(), found.end(),
                      [](int times) { return times == 1; }));
+}
+
+/// That all boundaries have their attributes and are as large.
+void CompareBoundaries(MeshShare &share, Mesh &whole)
+{
+   CHECK(share.mesh->attributes.Size() == whole.attributes.Size());
+   REQUIRE(share.mesh->bdr_attributes.Size() == whole.bdr_attributes.Size());
+   for (const int attribute : whole.bdr_attributes)
+   {
+      real_t area = AreaOf(*share.mesh, attribute);
+      MPI_Allreduce(MPI_IN_PLACE, &area, 1, MPI_DOUBLE, MPI_SUM,
+                    MPI_COMM_WORLD);
+      CHECK(area == Approx(AreaOf(whole, attribute)).epsilon(1e-12));
+   }
 }
 } // namespace
 
@@ -144,17 +157,26 @@ TEST_CASE("mesh share: elements and boundaries are those of the whole mesh")
    const int order = GENERATE(1, 2);
    Mesh whole = AllShapes(order);
    MeshShare share = Share(whole, MPI_COMM_WORLD);
+   REQUIRE(share.mesh->GetNE() > 0);
    CompareElements(share, whole);
+   CompareBoundaries(share, whole);
+}
 
-   CHECK(share.mesh->attributes.Size() == whole.attributes.Size());
-   REQUIRE(share.mesh->bdr_attributes.Size() == whole.bdr_attributes.Size());
-   for (const int attribute : whole.bdr_attributes)
+TEST_CASE("mesh share: ranks may have no elements that are straight")
+{
+   const auto type = GENERATE(Element::HEXAHEDRON, Element::TETRAHEDRON);
+   Mesh whole = Mesh::MakeCartesian3D(3, 2, 4, type);
+   // Each second rank has some.
+   const int filled = (Mpi::WorldSize() + 1) / 2;
+   std::vector<int> owners(whole.GetNE());
+   for (int i = 0; i < whole.GetNE(); i++)
    {
-      real_t area = AreaOf(*share.mesh, attribute);
-      MPI_Allreduce(MPI_IN_PLACE, &area, 1, MPI_DOUBLE, MPI_SUM,
-                    MPI_COMM_WORLD);
-      CHECK(area == Approx(AreaOf(whole, attribute)));
+      owners[i] = 2 * (i % filled);
    }
+   MeshShare share = Share(whole, MPI_COMM_WORLD, owners);
+   CHECK((share.mesh->GetNE() > 0) == (Rank() % 2 == 0));
+   CompareElements(share, whole);
+   CompareBoundaries(share, whole);
 }
 
 TEST_CASE("mesh share: parts of elements have the same numbers on any number "
@@ -190,7 +212,7 @@ TEST_CASE("mesh share: parts of elements have the same numbers on any number "
       REQUIRE(here.size() == there.size());
       for (std::size_t k = 0; k < here.size(); k++)
       {
-         CHECK(here[k] == Approx(there[k]).margin(1e-14));
+         CHECK(std::abs(here[k] - there[k]) <= 1e-14);
       }
    }
 }

@@ -1,4 +1,4 @@
-// ranks: 1 2 3 4
+// ranks: 1 2 3 4 16
 // timeout: 300
 //
 // Points that look for a surface find it where geometry says, however the
@@ -83,11 +83,15 @@ std::vector<int> Partition(Mesh &mesh, Split split, int ranks)
    }
    if (split == Split::by_body)
    {
-      // The ranks in between get an element each, lest they have none: they
-      // own parts of the lower surface, which is not searched.
+      // The ranks in between get an element each of the lower body, whose
+      // surface is not searched. Where they are many, some have none; MFEM's
+      // curved meshes must have some on all ranks.
       for (int rank = 1; rank < ranks - 1; rank++)
       {
-         owners[rank] = rank;
+         if (mesh.GetAttribute(rank) == 1 || mesh.GetNodes())
+         {
+            owners[rank] = rank;
+         }
       }
    }
    return owners;
