@@ -25,7 +25,7 @@ sys.path.insert(0, str(SCRIPTS / "lib"))
 from benchmark_options import add_runner_options  # noqa: E402
 from benchmark_runs import BenchmarkError, Run, Runner, Store  # noqa: E402
 from benchmark_sweeps import (  # noqa: E402
-    FINITE, FLAT, QUICK_FINITE, Extent, make_sweeps)
+    FINITE, FLAT, QUICK_FINITE, Extent, make_sweeps, scaled_size)
 
 LIMIT = 1.3
 STEPS = 6
@@ -43,14 +43,20 @@ class Pair:
     finite: Run
 
 
-def pairs_of(extent: Extent, compression: float) -> list[Pair]:
-    load = {"compression": compression, "steps": STEPS}
-    return [Pair(sweep.name, point.series, point.x,
-                 *(Run(point.run.ranks, **point.run.options | load
-                       | {"deformation": deformation})
-                   for deformation in ("infinitesimal", "finite")))
-            for sweep in make_sweeps(extent, RANKS) if sweep.name in FLAT
-            for point in sweep.points]
+def pairs_of(extent: Extent, compression: float, order: int) -> list[Pair]:
+    """The axis of sizes has all orders, the others this one."""
+    pairs = []
+    for sweep in make_sweeps(extent, RANKS):
+        for point in sweep.points if sweep.name in FLAT else ():
+            options = point.run.options | {"compression": compression,
+                                           "steps": STEPS}
+            if sweep.name != "size":
+                options["order"] = order
+                options["size"] = scaled_size("hex", order, options["size"])
+            pairs.append(Pair(sweep.name, point.series, point.x, *(
+                Run(point.run.ranks, **options | {"deformation": deformation})
+                for deformation in ("infinitesimal", "finite"))))
+    return pairs
 
 
 def make_runs(pairs: list[Pair], runner: Runner, store: Store) -> None:
@@ -107,6 +113,9 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--compression", type=float, default=0.3,
                         metavar="PART", help="of the layers' thickness that "
                         "they lose (default: %(default)s)")
+    parser.add_argument("--order", type=int, choices=(1, 2, 3), default=2,
+                        help="of all axes but that of sizes, which has all "
+                        "(default: %(default)s)")
     parser.add_argument("--limit", type=float, default=LIMIT, metavar="RATIO",
                         help="the largest that is good (default: %(default)s)")
     add_runner_options(parser)
@@ -115,7 +124,8 @@ def parse(argv: list[str] | None) -> argparse.Namespace:
 
 def main(argv: list[str] | None = None) -> int:
     args = parse(argv)
-    pairs = pairs_of(QUICK_FINITE if args.quick else FINITE, args.compression)
+    pairs = pairs_of(QUICK_FINITE if args.quick else FINITE, args.compression,
+                     args.order)
     try:
         args.output.mkdir(parents=True, exist_ok=True)
         store = Store(args.output / "deformations.csv")

@@ -66,7 +66,8 @@ SMALL = {
     "scripts/benchmark": {"--sweep": "jump"},
     "scripts/benchmark --audit": {"--most-ranks": "4", "--each": "4",
                                   "--whole": "8"},
-    "scripts/benchmark --deformations": {"--compression": "0.1"},
+    "scripts/benchmark --deformations": {"--compression": "0.1",
+                                         "--limit": "2"},
     "scripts/benchmark --roofline": {"--size": "4"},
     "scripts/benchmark --tables": {"--table": "scaling", "--coarsen": "6"}}
 # Of MFEM's parser, which takes an option only once.

@@ -58,6 +58,14 @@ def check_runs(out: pathlib.Path) -> None:
     check(kinds.count("finite") == kinds.count("infinitesimal") > 10,
           f"{len(made)} runs of both kinds")
     check({row["steps"] for row in made} == {"6"}, "of six steps")
+    first = deformations(out, "--compression", 0.1, "--limit", 2,
+                         "--order", 1)
+    check(first.returncode == 0 and " order=1 " in first.stdout
+          and " order=2 " not in first.stdout,
+          "other axes of order 1; that of sizes is there")
+    check({row[3] for row in table(out) if row[0] == "poisson"}
+          != {row[3] for row in rows if row[0] == "poisson"},
+          "with other meshes")
     again = deformations(out, "--compression", 0.1, "--limit", 0.5)
     check(again.returncode == 1 and "0/" not in again.stdout
           and "with a ratio above 0.5" in again.stdout
