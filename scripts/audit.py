@@ -29,7 +29,8 @@ import numpy as np  # noqa: E402
 import audit_plots  # noqa: E402
 import audit_runs  # noqa: E402
 from audit_bounds import Bound, bounds_of  # noqa: E402
-from audit_model import exponent  # noqa: E402
+from audit_model import Model, exponent  # noqa: E402
+from audit_plots import NETWORKS  # noqa: E402
 from audit_runs import PHASES, Audit, AuditRunner  # noqa: E402
 from benchmark_options import add_runner_options  # noqa: E402
 from benchmark_runs import BenchmarkError, Run  # noqa: E402
@@ -116,8 +117,25 @@ def growth_table(audits: list[Audit]) -> list[str]:
     return lines
 
 
-def report(weak: list[Audit], strong: list[Audit], bounds: list[Bound]
-           ) -> str:
+def efficiency_table(audits: list[Audit], memory_speedup: float) -> list[str]:
+    """By the model, and what a Newton iteration waits for most at last."""
+    ranks = 2.0 ** np.arange(6, 13, 2)
+    model = Model.of(audits, memory_speedup)
+    lines = ["| network | " + " | ".join(f"{n:.0f} ranks" for n in ranks)
+             + f" | most beside work, {ranks[-1]:.0f} ranks |",
+             "|---" * (len(ranks) + 2) + "|"]
+    for network in NETWORKS:
+        parts = model.parts(ranks, network)
+        del parts["work"]
+        most = max(parts, key=lambda name: parts[name][-1])
+        lines.append(f"| {network.name} | " + " | ".join(
+            f"{value:.2f}" for value in model.efficiency(ranks, network))
+            + f" | {most}, {1e3 * parts[most][-1]:.0f} ms |")
+    return lines
+
+
+def report(weak: list[Audit], strong: list[Audit], bounds: list[Bound],
+           memory_speedup: float) -> str:
     parts = ["# What each rank holds and sends", ""]
     for title, audits in (("The same share for each rank", weak),
                           ("The same problem", strong)):
@@ -133,7 +151,10 @@ def report(weak: list[Audit], strong: list[Audit], bounds: list[Bound]
                       + ("once" if phase == "mesh" else "a Newton iteration")
                       + ":", "", *sent_table(audits, phase), ""]
     parts += ["## Growth with the same share", "", *growth_table(weak), "",
-              "## Bounds", "", "| what | value | bound | |", "|---|---|---|---|"]
+              "## Modeled efficiency, the same share", "",
+              *efficiency_table(weak, memory_speedup), "",
+              "## Bounds", "", "| what | value | bound | |",
+              "|---|---|---|---|"]
     parts += [f"| {bound.what} | {bound.value:.3g} | {bound.limit:.3g} | "
               f"{'kept' if bound.kept else 'EXCEEDED'} |" for bound in bounds]
     return "\n".join(parts) + "\n"
@@ -187,7 +208,7 @@ def main(argv: list[str] | None = None) -> int:
         print("benchmark --audit: stopped", file=sys.stderr)
         return 130
     bounds = bounds_of(weak, strong)
-    text = report(weak, strong, bounds)
+    text = report(weak, strong, bounds, args.memory_speedup)
     (args.output / "audit.md").write_text(text, encoding="utf-8")
     audit_plots.efficiency_figure(weak, args.memory_speedup).savefig(
         args.output / "efficiency.png")

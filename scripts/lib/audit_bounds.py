@@ -34,11 +34,16 @@ def growth(audits: list[Audit], column: str) -> float:
     return audits[-1].number(column) / audits[0].number(column)
 
 
+def difference(audits: list[Audit], column: str) -> float:
+    """The largest from the first one, as a part of it."""
+    first = audits[0].number(column)
+    return max(abs(audit.number(column) / first - 1.0) for audit in audits)
+
+
 def bounds_of(weak: list[Audit], strong: list[Audit]) -> list[Bound]:
     """The weak ones and the strong ones, each from 1 rank on."""
     few = next(audit for audit in weak if audit.ranks == 4)
     most = weak[-1]
-    force = strong[0].number("force")
     bounds = [
         Bound(f"growth of the memory of the rank that has most, 4 to "
               f"{most.ranks} ranks, the same share",
@@ -47,8 +52,9 @@ def bounds_of(weak: list[Audit], strong: list[Audit]) -> list[Bound]:
               f"{strong[-1].ranks} ranks, the same problem",
               growth(strong, "linear"), 1.2),
         Bound("relative difference of the force, the same problem",
-              max(abs(audit.number("force") / force - 1.0)
-                  for audit in strong), 1e-6),
+              difference(strong, "force"), 1e-6),
+        Bound("relative difference of the contact's area, the same problem",
+              difference(strong, "contact_area"), 1e-6),
         # Neighbors of a cube, and ranks of the other body.
         Bound("ranks that one rank sends to in assembly, the same share",
               most.most_sent("assembly", "destinations"), 40.0)]

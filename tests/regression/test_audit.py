@@ -118,7 +118,12 @@ def check_audit(work: pathlib.Path) -> None:
     check((run.returncode == 1) == ("EXCEEDED" in run.stdout),
           "its exit status says whether the bounds are kept")
     text = (out / "audit.md").read_text(encoding="utf-8")
-    check("relative difference of the force" in text, "it has bounds")
+    check("relative difference of the force" in text
+          and "difference of the contact's area" in text, "it has bounds")
+    modeled = [line.split("|") for line in text.splitlines()
+               if line.startswith("| InfiniBand")]
+    check(len(modeled) == 1 and 0.0 < float(modeled[0][5])
+          < float(modeled[0][2]) < 1.0, f"efficiency falls: {modeled}")
     check((out / "efficiency.png").stat().st_size > 10000, "and a picture")
     for name in ("weak", "strong"):
         rows = rows_of(out / f"{name}.csv")
