@@ -29,8 +29,6 @@ from figure_style import plt  # noqa: E402
 from synovia_output import Output, OutputError, reference  # noqa: E402
 
 PAIR = "contact.plate."
-EXACT = {"color": "black", "marker": "o", "markersize": 4.5, "zorder": 4,
-         "markerfacecolor": "none", "linestyle": "none", "clip_on": False}
 
 
 class Sliding:
@@ -62,7 +60,7 @@ class Sliding:
     def draw_coefficient(self, axes: plt.Axes) -> None:
         axes.semilogx(self.time, self.coefficient, label="Synovia")
         axes.plot(self.exact_time, self.friction_at(self.exact_support),
-                  label="reference", **EXACT)
+                  label="reference", clip_on=False, **style.POINTS)
         axes.axhline(self.mu, label="without fluid", **style.REFERENCE)
         axes.set(xlabel="time", ylabel="coefficient of friction",
                  ylim=(0, None), title="Coefficient of friction")
@@ -71,7 +69,7 @@ class Sliding:
     def draw_support(self, axes: plt.Axes) -> None:
         axes.semilogx(self.time, self.support, label="Synovia")
         axes.plot(self.exact_time, self.exact_support, label="reference",
-                  **EXACT)
+                  clip_on=False, **style.POINTS)
         axes.set(xlabel="time", ylabel="share of the load", ylim=(0, 1.05),
                  title="Borne by the fluid")
         axes.legend()
@@ -97,20 +95,10 @@ class Sliding:
 
 
 def draw(out: Output, folder: pathlib.Path) -> str:
-    style.use_style()
     sliding = Sliding(out)
-    panels = {"coefficient": sliding.draw_coefficient,
-              "support": sliding.draw_support, "line": sliding.draw_line}
-    for name, panel in panels.items():
-        figure, axes = plt.subplots(figsize=(3.6, 2.9))
-        panel(axes)
-        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
-        plt.close(figure)
-    figure, all_axes = plt.subplots(1, len(panels), figsize=(9.6, 2.9))
-    for axes, panel in zip(all_axes, panels.values()):
-        panel(axes)
-    figure.savefig(folder / "friction_plate.png")
-    plt.close(figure)
+    plot_script.draw_row(folder, "friction_plate", {
+        "coefficient": sliding.draw_coefficient,
+        "support": sliding.draw_support, "line": sliding.draw_line})
     return sliding.compared()
 
 

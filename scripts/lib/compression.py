@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import pathlib
 from collections.abc import Callable, Mapping
 
 import numpy as np
 
 import figure_style as style
+import plot_script
 from figure_style import plt
 from synovia_output import Output, OutputError
 
 # Coordinates and values, at points where they are known.
 Profile = tuple[np.ndarray, np.ndarray]
-POINTS = {"color": "black", "marker": "o", "markersize": 4.5, "zorder": 4,
-          "markerfacecolor": "none", "linestyle": "none"}
 
 
 def is_finite(out: Output) -> bool:
@@ -68,7 +68,7 @@ class Profiles:
             axes.plot(line[self.along], self.factor * line[self.column],
                       label=f"{time:g} s")
             said += self._compare(axes, line, time)
-        axes.plot([], [], label="reference", **POINTS)
+        axes.plot([], [], label="reference", **style.POINTS)
         axes.axhline(0, color=style.GRAY, linewidth=0.6)
         axes.set(xlabel=self.where, ylabel=self.what,
                  xlim=(0, line[self.along].max()))
@@ -82,7 +82,8 @@ class Profiles:
             places, exact = self.exact(time)
         except OutputError:
             return []   # the reference has other times
-        axes.plot(places, self.factor * exact, clip_on=False, **POINTS)
+        axes.plot(places, self.factor * exact, clip_on=False,
+                  **style.POINTS)
         found = np.interp(places, line[self.along], line[self.column])
         return [f"{self.column} at {time:g} s: differs by "
                 f"{np.abs(found - exact).max():.2e} from up to "
@@ -92,16 +93,10 @@ class Profiles:
 def draw(folder: pathlib.Path, case: str,
          panels: Mapping[str, Course | Profiles], out: Output) -> str:
     """Draws each panel by its name, and all of them by that of the case."""
-    style.use_style()
-    said = []
-    for name, panel in panels.items():
-        figure, axes = plt.subplots(figsize=(3.6, 2.9))
-        said += panel(axes, out)
-        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
-        plt.close(figure)
-    figure, all_axes = plt.subplots(1, len(panels), figsize=(9.6, 2.9))
-    for axes, panel in zip(all_axes, panels.values()):
-        panel(axes, out)
-    figure.savefig(folder / f"{case}.png")
-    plt.close(figure)
-    return "\n".join(said)
+    said = {}
+
+    def draw_panel(name: str, axes: plt.Axes) -> None:
+        said[name] = panels[name](axes, out)
+    plot_script.draw_row(folder, case, {
+        name: functools.partial(draw_panel, name) for name in panels})
+    return "\n".join(line for lines in said.values() for line in lines)

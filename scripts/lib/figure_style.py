@@ -16,6 +16,9 @@ GRAY = "#666666"
 # References are thin, dark and over what is compared with them.
 REFERENCE = {"color": "black", "linewidth": 0.9, "linestyle": (0, (4, 2)),
              "zorder": 3}
+# So are single values of one, as circles.
+POINTS = {"color": "black", "marker": "o", "markersize": 4.5, "zorder": 4,
+          "markerfacecolor": "none", "linestyle": "none"}
 
 
 def use_style() -> None:

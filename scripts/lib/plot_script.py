@@ -5,8 +5,10 @@ from __future__ import annotations
 import argparse
 import pathlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
+import figure_style as style
+from figure_style import plt
 from synovia_output import Output, OutputError
 
 
@@ -40,6 +42,24 @@ def run_beside(argv: list[str] | None, doc: str | None, case: str, other: str,
             outs.append(Output(beside))
         return draw(outs, folder)
     return drawn(case, args, draw_both)
+
+
+def draw_row(folder: pathlib.Path, case: str,
+             panels: Mapping[str, Callable[[plt.Axes], object]]) -> None:
+    """Draws each panel by its name, and all of them, beside each other, by that
+    of the case.
+    """
+    style.use_style()
+    for name, panel in panels.items():
+        figure, axes = plt.subplots(figsize=(3.6, 2.9))
+        panel(axes)
+        figure.savefig(folder / f"{name}.png", bbox_inches="tight")
+        plt.close(figure)
+    figure, all_axes = plt.subplots(1, len(panels), figsize=(9.6, 2.9))
+    for axes, panel in zip(all_axes, panels.values()):
+        panel(axes)
+    figure.savefig(folder / f"{case}.png")
+    plt.close(figure)
 
 
 def make_parser(doc: str | None) -> argparse.ArgumentParser:
