@@ -9,9 +9,9 @@
 //     mu_eff = mu_eq [1 - (1 - phi) p/P].
 //
 // p/P is from a one-dimensional solution with another program. The plate's
-// points are all prescribed, so that it holds no more fluid than at first: rigid
-// and, as a whole, impermeable. It slides by a small part of its size, lest it
-// drains where the column doesn't cover it.
+// points are all prescribed, so that it holds no more fluid than at first:
+// rigid and, as a whole, impermeable. It slides by a small part of its size,
+// lest it drains where the column doesn't cover it.
 
 #include "support/boxes.hpp"
 #include "support/reference_table.hpp"
