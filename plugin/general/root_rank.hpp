@@ -17,24 +17,35 @@ inline bool IsRoot(MPI_Comm comm)
    return rank == 0;
 }
 
-/// Collective over @a comm: runs @a work on rank 0, and throws on every rank
-/// what that throws, as Error.
+/// Collective over @a comm: runs @a work, which is not collective, on each
+/// rank, and throws on all of them what it throws on any, as Error.
 template <typename Work>
-void OnRoot(MPI_Comm comm, Work work)
+void OnEachRank(MPI_Comm comm, Work work)
 {
    std::string message;
    try
    {
-      if (IsRoot(comm))
-      {
-         work();
-      }
+      work();
    }
    catch (const std::exception &error)
    {
       message = error.what();
    }
    ThrowIfAny(comm, message);
+}
+
+/// The same, but for rank 0 only.
+template <typename Work>
+void OnRoot(MPI_Comm comm, Work work)
+{
+   OnEachRank(comm,
+              [&]()
+              {
+                 if (IsRoot(comm))
+                 {
+                    work();
+                 }
+              });
 }
 
 /// Collective: what rank 0 has.

@@ -1,6 +1,9 @@
 #include "synovia/io/canonical_order.hpp"
+#include "synovia/general/exchange.hpp"
+#include "synovia/general/root_rank.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -48,63 +51,98 @@ std::vector<double> Keys(const ParFiniteElementSpace &space,
    }
    return of_true_dofs;
 }
+
+/// The rank whose part has what goes by a serial element.
+int OwnerOf(double element, long long elements, int ranks)
+{
+   return static_cast<int>(static_cast<long long>(element) * ranks / elements);
+}
 } // namespace
 
 CanonicalOrder::CanonicalOrder(const ParFiniteElementSpace &space,
                                const std::vector<int> &serial_elements)
    : comm(space.GetComm())
 {
-   const std::vector<double> mine = Keys(space, serial_elements);
-   int rank = 0;
+   const std::vector<double> keys = Keys(space, serial_elements);
    int ranks = 1;
-   MPI_Comm_rank(comm, &rank);
    MPI_Comm_size(comm, &ranks);
-   const int count = static_cast<int>(mine.size());
-   counts.resize(rank == 0 ? ranks : 0);
-   MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
-   begins.resize(counts.size());
-   for (std::size_t r = 1; r < counts.size(); r++)
+   const long long elements = space.GetParMesh()->GetGlobalNE();
+   sent.resize(ranks);
+   std::vector<std::vector<double>> outgoing(ranks);
+   for (std::size_t i = 0; i < keys.size(); i++)
    {
-      begins[r] = begins[r - 1] + counts[r - 1];
+      const double element = std::floor(keys[i] / (stride * space.GetVDim()));
+      const int owner = OwnerOf(element, elements, ranks);
+      sent[owner].push_back(static_cast<int>(i));
+      outgoing[owner].push_back(keys[i]);
    }
-   std::vector<double> keys(counts.empty() ? 0 : begins.back() + counts.back());
-   MPI_Gatherv(mine.data(), count, MPI_DOUBLE, keys.data(), counts.data(),
-               begins.data(), MPI_DOUBLE, 0, comm);
-   std::vector<int> sorted(keys.size());
+   std::vector<double> of_part;
+   for (const std::vector<double> &some : Exchange(std::move(outgoing), comm))
+   {
+      received.push_back(some.size());
+      of_part.insert(of_part.end(), some.begin(), some.end());
+   }
+   std::vector<std::size_t> sorted(of_part.size());
    std::iota(sorted.begin(), sorted.end(), 0);
    std::sort(sorted.begin(), sorted.end(),
-             [&](int a, int b) { return keys[a] < keys[b]; });
-   place.resize(keys.size());
+             [&](std::size_t a, std::size_t b)
+             { return of_part[a] < of_part[b]; });
+   place.resize(sorted.size());
    for (std::size_t i = 0; i < sorted.size(); i++)
    {
-      place[sorted[i]] = static_cast<int>(i);
+      place[sorted[i]] = i;
    }
+   long long before = 0;
+   const long long mine = static_cast<long long>(place.size());
+   MPI_Exscan(&mine, &before, 1, MPI_LONG_LONG, MPI_SUM, comm);
+   begin = IsRoot(comm) ? 0 : before;
 }
 
-std::vector<double> CanonicalOrder::Gather(const Vector &true_dofs) const
+std::vector<double> CanonicalOrder::ToOrder(const Vector &true_dofs) const
 {
-   std::vector<double> by_rank(place.size());
-   MPI_Gatherv(true_dofs.HostRead(), true_dofs.Size(), MPI_DOUBLE,
-               by_rank.data(), counts.data(), begins.data(), MPI_DOUBLE, 0,
-               comm);
-   std::vector<double> values(place.size());
-   for (std::size_t i = 0; i < place.size(); i++)
+   const double *const values = true_dofs.HostRead();
+   std::vector<std::vector<double>> outgoing(sent.size());
+   for (std::size_t r = 0; r < sent.size(); r++)
    {
-      values[place[i]] = by_rank[i];
+      for (const int dof : sent[r])
+      {
+         outgoing[r].push_back(values[dof]);
+      }
    }
-   return values;
+   std::vector<double> part(place.size());
+   std::size_t i = 0;
+   for (const std::vector<double> &some : Exchange(std::move(outgoing), comm))
+   {
+      for (const double value : some)
+      {
+         part[place[i++]] = value;
+      }
+   }
+   return part;
 }
 
-void CanonicalOrder::Scatter(const std::vector<double> &values,
-                             Vector &true_dofs) const
+void CanonicalOrder::FromOrder(const std::vector<double> &part,
+                               Vector &true_dofs) const
 {
-   std::vector<double> by_rank(place.size());
-   for (std::size_t i = 0; i < place.size(); i++)
+   MFEM_VERIFY(part.size() == Size(), "a part of another order");
+   std::vector<std::vector<double>> outgoing(received.size());
+   std::size_t i = 0;
+   for (std::size_t r = 0; r < received.size(); r++)
    {
-      by_rank[i] = values[place[i]];
+      for (std::size_t k = 0; k < received[r]; k++)
+      {
+         outgoing[r].push_back(part[place[i++]]);
+      }
    }
-   MPI_Scatterv(by_rank.data(), counts.data(), begins.data(), MPI_DOUBLE,
-                true_dofs.HostWrite(), true_dofs.Size(), MPI_DOUBLE, 0, comm);
+   const auto incoming = Exchange(std::move(outgoing), comm);
+   double *const values = true_dofs.HostWrite();
+   for (std::size_t r = 0; r < sent.size(); r++)
+   {
+      for (std::size_t k = 0; k < sent[r].size(); k++)
+      {
+         values[sent[r][k]] = incoming[r][k];
+      }
+   }
 }
 
 } // namespace synovia

@@ -2,6 +2,8 @@
 #include "synovia/general/root_rank.hpp"
 #include "synovia/io/canonical_order.hpp"
 #include "synovia/io/checkpoint_directory.hpp"
+#include "synovia/io/checkpoint_file.hpp"
+#include "synovia/io/checkpoint_writer.hpp"
 #include "synovia/io/output_directory.hpp"
 #include "synovia/io/problem_fingerprint.hpp"
 
@@ -18,6 +20,13 @@ namespace
 {
 // Names of what a checkpoint holds besides what the stepper lists.
 constexpr const char *setup_name = "case";
+
+/// Of a name of what is archived: a slash would be a group of HDF5.
+std::string InFile(std::string name)
+{
+   std::replace(name.begin(), name.end(), '/', '|');
+   return name;
+}
 
 /// The orders of the spaces of a problem.
 class Orders
@@ -42,27 +51,45 @@ private:
       orders;
 };
 
-class Writing : public StateArchive
+/// Lists what there is to write.
+class Listing : public StateArchive
 {
 public:
-   Writing(Orders &orders_, CheckpointContents &contents_)
-      : orders(orders_), contents(contents_)
-   {
-   }
+   explicit Listing(CheckpointContents &contents_) : contents(contents_) {}
    bool Reads() const override { return false; }
    void Number(const std::string &name, real_t &value) override
    {
-      contents.numbers[name] = value;
+      contents.numbers[InFile(name)] = value;
    }
+   void Field(const std::string &name, ParFiniteElementSpace &space,
+              Vector &) override
+   {
+      contents.field_sizes[InFile(name)] = space.GlobalTrueVSize();
+   }
+
+private:
+   CheckpointContents &contents;
+};
+
+class Writing : public StateArchive
+{
+public:
+   Writing(Orders &orders_, CheckpointWriter &file_)
+      : orders(orders_), file(file_)
+   {
+   }
+   bool Reads() const override { return false; }
+   void Number(const std::string &, real_t &) override {}
    void Field(const std::string &name, ParFiniteElementSpace &space,
               Vector &true_dofs) override
    {
-      contents.fields[name] = orders.Of(space).Gather(true_dofs);
+      const CanonicalOrder &order = orders.Of(space);
+      file.Write(InFile(name), order.Begin(), order.ToOrder(true_dofs));
    }
 
 private:
    Orders &orders;
-   CheckpointContents &contents;
+   CheckpointWriter &file;
 };
 
 /// Says what a checkpoint lacks of what is going to be read. Rank 0 knows.
@@ -75,7 +102,7 @@ public:
    bool Reads() const override { return false; }
    void Number(const std::string &name, real_t &) override
    {
-      if (contents.numbers.count(name) == 0)
+      if (contents.numbers.count(InFile(name)) == 0)
       {
          missing = name;
       }
@@ -83,10 +110,9 @@ public:
    void Field(const std::string &name, ParFiniteElementSpace &space,
               Vector &) override
    {
-      const auto field = contents.fields.find(name);
-      if (field == contents.fields.end() ||
-          static_cast<HYPRE_BigInt>(field->second.size()) !=
-             space.GlobalTrueVSize())
+      const auto size = contents.field_sizes.find(InFile(name));
+      if (size == contents.field_sizes.end() ||
+          static_cast<HYPRE_BigInt>(size->second) != space.GlobalTrueVSize())
       {
          missing = name;
       }
@@ -101,28 +127,33 @@ private:
 class Reading : public StateArchive
 {
 public:
-   Reading(Orders &orders_, const CheckpointContents &contents_, MPI_Comm comm_)
-      : orders(orders_), contents(contents_), comm(comm_)
+   Reading(Orders &orders_, const CheckpointContents &contents_,
+           const CheckpointFields &fields_, MPI_Comm comm_)
+      : orders(orders_), contents(contents_), fields(fields_), comm(comm_)
    {
    }
    bool Reads() const override { return true; }
    void Number(const std::string &name, real_t &value) override
    {
-      double number = IsRoot(comm) ? contents.numbers.at(name) : 0.0;
+      double number = IsRoot(comm) ? contents.numbers.at(InFile(name)) : 0.0;
       MPI_Bcast(&number, 1, MPI_DOUBLE, 0, comm);
       value = number;
    }
    void Field(const std::string &name, ParFiniteElementSpace &space,
               Vector &true_dofs) override
    {
-      static const std::vector<double> nothing;
-      orders.Of(space).Scatter(
-         IsRoot(comm) ? contents.fields.at(name) : nothing, true_dofs);
+      const CanonicalOrder &order = orders.Of(space);
+      std::vector<double> part;
+      OnEachRank(
+         comm, [&]()
+         { part = fields.Read(InFile(name), order.Begin(), order.Size()); });
+      order.FromOrder(part, true_dofs);
    }
 
 private:
    Orders &orders;
    const CheckpointContents &contents;
+   const CheckpointFields &fields;
    MPI_Comm comm;
 };
 } // namespace
@@ -139,26 +170,27 @@ std::string WriteCheckpoint(const std::string &directory,
       contents.texts[setup_name] = setup;
    }
    AddFingerprint(problem, contents);
+   Listing listing(contents);
+   stepper.Archive(listing);
+   const std::string name = CheckpointName(directory, stepper.Steps());
+   CheckpointWriter file(name, contents, comm);
    Orders orders(problem.Mesh());
-   Writing archive(orders, contents);
+   Writing archive(orders, file);
    stepper.Archive(archive);
-   const std::string file = CheckpointName(directory, stepper.Steps());
-   OnRoot(comm,
-          [&]()
-          {
-             WriteCheckpointFile(file, contents);
-             TidyCheckpoints(directory, stepper.Steps(), std::max(1, keep));
-          });
-   return file;
+   file.Finish();
+   OnRoot(comm, [&]()
+          { TidyCheckpoints(directory, stepper.Steps(), std::max(1, keep)); });
+   return name;
 }
 
 Checkpoint::Checkpoint(const std::string &file_, MPI_Comm comm_)
    : file(file_), comm(comm_)
 {
+   VerifyCheckpointFile(file, comm);
    OnRoot(comm,
           [&]()
           {
-             contents = ReadCheckpointFile(file);
+             contents = ReadCheckpointContents(file);
              setup = contents.texts[setup_name];
              if (contents.numbers.count("time") == 0 ||
                  contents.numbers.count("steps") == 0)
@@ -196,8 +228,11 @@ void Checkpoint::Restore(BiphasicProblem &problem, TimeStepper &stepper) const
                        ? "the checkpoint '" + file + "' lacks \"" +
                             checking.Missing() + "\", or has it in another size"
                        : "");
+   std::unique_ptr<CheckpointFields> fields;
+   OnEachRank(comm,
+              [&]() { fields = std::make_unique<CheckpointFields>(file); });
    Orders orders(problem.Mesh());
-   Reading archive(orders, contents, comm);
+   Reading archive(orders, contents, *fields, comm);
    stepper.Archive(archive);
 }
 

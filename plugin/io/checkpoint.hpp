@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/io/checkpoint_file.hpp"
+#include "synovia/io/checkpoint_contents.hpp"
 #include "synovia/time/time_stepper.hpp"
 
 #include <string>
@@ -19,9 +19,10 @@ namespace synovia
 ///
 /// @a setup is the case as text, to be compared when a run goes on from it.
 ///
-/// Collective; rank 0 writes. Throws Error on all ranks if the file can't be
-/// written, because the disk is full, say: earlier checkpoints are then still
-/// there, and the caller may go on.
+/// Collective; each rank writes a part of each field, so that all must see the
+/// directory. Throws Error on all ranks if the file can't be written, because
+/// the disk is full, say: earlier checkpoints are then still there, and the
+/// caller may go on.
 std::string WriteCheckpoint(const std::string &directory,
                             BiphasicProblem &problem, TimeStepper &stepper,
                             const std::string &setup = "", int keep = 2);
@@ -30,8 +31,8 @@ std::string WriteCheckpoint(const std::string &directory,
 class Checkpoint
 {
 public:
-   /// Collective; rank 0 reads. Throws Error on all ranks if the file can't be
-   /// read, is damaged or no checkpoint.
+   /// Collective. Throws Error on all ranks if the file can't be read, is
+   /// damaged or no checkpoint.
    Checkpoint(const std::string &file, MPI_Comm comm);
 
    const std::string &File() const { return file; }
@@ -48,8 +49,9 @@ public:
    /// The materials and conditions may differ, and so may the options of the
    /// stepper (end, step, scheme) and the number of ranks.
    ///
-   /// Collective. Throws Error on all ranks, before anything is changed, if it
-   /// is one of another problem, and says in what.
+   /// Collective; each rank reads a part of each field. Throws Error on all
+   /// ranks, before anything is changed, if it is one of another problem, and
+   /// says in what; and if the file can't be read any more.
    void Restore(BiphasicProblem &problem, TimeStepper &stepper) const;
 
 private:

@@ -106,34 +106,29 @@ void TidyCheckpoints(const std::string &directory, int newest, int keep)
 
 FoundCheckpoint FindCheckpoint(const std::string &directory, MPI_Comm comm)
 {
-   // One line each: the file first, then those passed over.
    std::string lines;
    if (IsRoot(comm))
    {
-      std::string passed_over;
-      std::string found;
       for (const Candidate &candidate : List(directory))
       {
-         try
-         {
-            VerifyCheckpointFile(candidate.path.string());
-            found = candidate.path.string();
-            break;
-         }
-         catch (const std::exception &error)
-         {
-            passed_over += "\n" + std::string(error.what());
-         }
+         lines += candidate.path.string() + "\n";
       }
-      lines = found + passed_over;
    }
    Broadcast(lines, comm);
    FoundCheckpoint result;
    std::istringstream stream(lines);
-   std::getline(stream, result.file);
-   for (std::string line; std::getline(stream, line);)
+   for (std::string file; std::getline(stream, file);)
    {
-      result.passed_over.push_back(line);
+      try
+      {
+         VerifyCheckpointFile(file, comm);
+         result.file = file;
+         break;
+      }
+      catch (const Error &error)
+      {
+         result.passed_over.push_back(error.what());
+      }
    }
    return result;
 }

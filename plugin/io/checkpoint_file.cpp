@@ -1,29 +1,25 @@
 #include "synovia/io/checkpoint_file.hpp"
+#include "synovia/general/root_rank.hpp"
+#include "synovia/io/checkpoint_groups.hpp"
+#include "synovia/io/checkpoint_head.hpp"
 #include "synovia/io/hdf5_guard.hpp"
-#include "synovia/io/output_file.hpp"
+#include "synovia/io/positional_sum.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
-#include <filesystem>
-#include <sstream>
+#include <memory>
 #include <stdexcept>
-#include <unistd.h>
+#include <sys/stat.h>
 
 namespace synovia
 {
 
 namespace
 {
-// HDF5 leaves the first 512 bytes, the user block, to us: they tell what the
-// rest must be.
-constexpr std::size_t head_size = 512;
-constexpr const char *magic = "synovia checkpoint 1";
-constexpr std::size_t memory_increment = 1 << 20;
-constexpr const char *groups[3] = {"texts", "numbers", "fields"};
+namespace groups = checkpoint_groups;
+namespace head = checkpoint_head;
 
 [[noreturn]] void Fail(const std::string &what, const std::string &path,
                        const std::string &reason)
@@ -32,98 +28,115 @@ constexpr const char *groups[3] = {"texts", "numbers", "fields"};
                             (reason.empty() ? "" : ": " + reason));
 }
 
-/// FNV-1a over words of eight bytes.
-std::uint64_t Checksum(const std::vector<char> &bytes)
+/// A file to read bytes from.
+class InputFile
 {
-   std::uint64_t sum = 14695981039346656037u;
-   for (std::size_t i = 0; i < bytes.size(); i += sizeof(sum))
+public:
+   explicit InputFile(const std::string &path_) : path(path_)
    {
-      std::uint64_t word = 0;
-      std::memcpy(&word, &bytes[i], std::min(sizeof(word), bytes.size() - i));
-      sum = (sum ^ word) * 1099511628211u;
-      // Upper bits must reach the lower ones.
-      sum ^= sum >> 29;
+      errno = 0;
+      file.reset(std::fopen(path.c_str(), "rb"));
+      if (!file)
+      {
+         FailToRead();
+      }
    }
-   return sum;
-}
-
-std::string Head(const std::vector<char> &image)
-{
-   std::ostringstream text;
-   text << magic << "\nbytes " << image.size() << "\nsum " << std::hex
-        << Checksum(image) << "\n";
-   std::string head = text.str();
-   head.resize(head_size, '\0');
-   return head;
-}
-
-/// A slash would be a group of HDF5.
-std::string WithoutSlashes(std::string name)
-{
-   std::replace(name.begin(), name.end(), '/', '|');
-   return name;
-}
-
-void Check(bool good)
-{
-   if (!good)
+   std::size_t Size() const
    {
-      throw std::runtime_error(Hdf5Reason());
+      struct stat status;
+      if (fstat(fileno(file.get()), &status) != 0)
+      {
+         FailToRead();
+      }
+      return status.st_size;
    }
-}
+   void Go(std::size_t begin)
+   {
+      if (fseeko(file.get(), begin, SEEK_SET) != 0)
+      {
+         FailToRead();
+      }
+   }
+   /// How many bytes it read, @a count unless the file ends.
+   std::size_t Read(char *bytes, std::size_t count)
+   {
+      const std::size_t n = std::fread(bytes, 1, count, file.get());
+      if (n < count && std::ferror(file.get()) != 0)
+      {
+         FailToRead();
+      }
+      return n;
+   }
 
-void WriteValues(hid_t group, const std::string &name, hid_t file_type,
-                 hid_t memory_type, hsize_t count, const void *values)
+private:
+   [[noreturn]] void FailToRead() const
+   {
+      Fail("read the checkpoint", path, std::strerror(errno));
+   }
+
+   struct Close
+   {
+      void operator()(std::FILE *file) const { std::fclose(file); }
+   };
+
+   std::string path;
+   std::unique_ptr<std::FILE, Close> file;
+};
+
+/// The sum of a part of the bytes after the head. @a begin is a multiple of 8.
+std::uint64_t SumOf(const std::string &path, std::size_t begin, std::size_t end)
 {
-   const Hdf5Guard space{H5Screate_simple(1, &count, nullptr), H5Sclose};
-   const Hdf5Guard set{H5Dcreate2(group, WithoutSlashes(name).c_str(),
-                                  file_type, space.id, H5P_DEFAULT, H5P_DEFAULT,
-                                  H5P_DEFAULT),
-                       H5Dclose};
-   Check(set.id >= 0);
-   Check(count == 0 || H5Dwrite(set.id, memory_type, H5S_ALL, H5S_ALL,
-                                H5P_DEFAULT, values) >= 0);
+   InputFile file(path);
+   file.Go(head::size + begin);
+   PositionalSum sum;
+   std::vector<char> buffer(1 << 16);
+   while (begin < end)
+   {
+      const std::size_t n =
+         file.Read(buffer.data(), std::min(buffer.size(), end - begin));
+      if (n == 0)
+      {
+         break;
+      }
+      sum.Add(begin, buffer.data(), n);
+      begin += n;
+   }
+   return sum.Value();
 }
 
-/// The HDF5 file in memory: HDF5 1.10 can't close one that it could not write.
-std::vector<char> Pack(const CheckpointContents &contents)
+std::string ReadHead(const std::string &path)
+{
+   std::string bytes(head::size, '\0');
+   bytes.resize(InputFile(path).Read(bytes.data(), bytes.size()));
+   const std::string magic = head::magic;
+   const std::string begin = bytes.substr(0, magic.size());
+   if (begin.empty() || begin != magic.substr(0, begin.size()))
+   {
+      throw std::runtime_error("'" + path +
+                               "' is no checkpoint of this version");
+   }
+   return bytes;
+}
+
+/// Without locks: some parallel file systems have none.
+hid_t OpenFile(const std::string &path)
 {
    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
    const Hdf5Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
-   H5Pset_fapl_core(access.id, memory_increment, false);
-   const Hdf5Guard file{
-      H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access.id), H5Fclose};
-   Check(file.id >= 0);
-   hid_t ids[3];
-   for (int i = 0; i < 3; i++)
-   {
-      ids[i] =
-         H5Gcreate2(file.id, groups[i], H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-   }
-   const Hdf5Guard texts{ids[0], H5Gclose};
-   const Hdf5Guard numbers{ids[1], H5Gclose};
-   const Hdf5Guard fields{ids[2], H5Gclose};
-   for (const auto &[name, text] : contents.texts)
-   {
-      WriteValues(texts.id, name, H5T_STD_I8LE, H5T_NATIVE_CHAR, text.size(),
-                  text.data());
-   }
-   for (const auto &[name, number] : contents.numbers)
-   {
-      WriteValues(numbers.id, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1,
-                  &number);
-   }
-   for (const auto &[name, field] : contents.fields)
-   {
-      WriteValues(fields.id, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
-                  field.size(), field.data());
-   }
-   Check(H5Fflush(file.id, H5F_SCOPE_LOCAL) >= 0);
-   const ssize_t size = H5Fget_file_image(file.id, nullptr, 0);
-   Check(size > 0);
-   std::vector<char> image(size);
-   Check(H5Fget_file_image(file.id, image.data(), size) == size);
-   return image;
+#if H5_VERSION_GE(1, 10, 7)
+   H5Pset_file_locking(access.id, false, true);
+#endif
+   return Verified(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id));
+}
+
+hid_t OpenGroup(hid_t file, const char *name)
+{
+   return Verified(H5Gopen2(file, name, H5P_DEFAULT));
+}
+
+hid_t OpenSet(hid_t group, const std::string &name)
+{
+   return Verified(H5Dopen2(group, name.c_str(), H5P_DEFAULT));
 }
 
 std::vector<std::string> Names(hid_t group)
@@ -140,31 +153,30 @@ std::vector<std::string> Names(hid_t group)
    return names;
 }
 
+std::size_t SizeOf(hid_t set)
+{
+   const Hdf5Guard space{Verified(H5Dget_space(set)), H5Sclose};
+   return Verified(H5Sget_simple_extent_npoints(space.id));
+}
+
 template <typename T>
 std::vector<T> ReadValues(hid_t group, const std::string &name, hid_t type)
 {
-   const Hdf5Guard set{H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose};
-   Check(set.id >= 0);
-   const Hdf5Guard space{H5Dget_space(set.id), H5Sclose};
-   std::vector<T> values(H5Sget_simple_extent_npoints(space.id));
-   Check(values.empty() || H5Dread(set.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                   values.data()) >= 0);
+   const Hdf5Guard set{OpenSet(group, name), H5Dclose};
+   std::vector<T> values(SizeOf(set.id));
+   if (!values.empty())
+   {
+      Verified(
+         H5Dread(set.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+   }
    return values;
 }
 
-CheckpointContents Unpack(std::vector<char> &image)
+CheckpointContents ContentsOf(hid_t file)
 {
-   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-   const Hdf5Guard access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
-   H5Pset_fapl_core(access.id, memory_increment, false);
-   Check(H5Pset_file_image(access.id, image.data(), image.size()) >= 0);
-   const Hdf5Guard file{H5Fopen("checkpoint", H5F_ACC_RDONLY, access.id),
-                        H5Fclose};
-   Check(file.id >= 0);
-   const Hdf5Guard texts{H5Gopen2(file.id, groups[0], H5P_DEFAULT), H5Gclose};
-   const Hdf5Guard numbers{H5Gopen2(file.id, groups[1], H5P_DEFAULT), H5Gclose};
-   const Hdf5Guard fields{H5Gopen2(file.id, groups[2], H5P_DEFAULT), H5Gclose};
-   Check(texts.id >= 0 && numbers.id >= 0 && fields.id >= 0);
+   const Hdf5Guard texts{OpenGroup(file, groups::texts), H5Gclose};
+   const Hdf5Guard numbers{OpenGroup(file, groups::numbers), H5Gclose};
+   const Hdf5Guard fields{OpenGroup(file, groups::fields), H5Gclose};
    CheckpointContents contents;
    for (const std::string &name : Names(texts.id))
    {
@@ -178,115 +190,52 @@ CheckpointContents Unpack(std::vector<char> &image)
    }
    for (const std::string &name : Names(fields.id))
    {
-      contents.fields[name] =
-         ReadValues<double>(fields.id, name, H5T_NATIVE_DOUBLE);
+      const Hdf5Guard set{OpenSet(fields.id, name), H5Dclose};
+      contents.field_sizes[name] = SizeOf(set.id);
    }
    return contents;
 }
-
-/// Waits until the disk has the names of the files in a directory.
-void SyncDirectory(const std::filesystem::path &path)
-{
-   const int descriptor =
-      open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-   if (descriptor >= 0)
-   {
-      fsync(descriptor);
-      close(descriptor);
-   }
-}
-
-/// The HDF5 file in the file, verified.
-std::vector<char> ReadImage(const std::string &path)
-{
-   const auto reason = [] { return std::string(std::strerror(errno)); };
-   errno = 0;
-   std::FILE *file = std::fopen(path.c_str(), "rb");
-   if (!file)
-   {
-      Fail("read the checkpoint", path, reason());
-   }
-   std::vector<char> bytes;
-   char buffer[1 << 16];
-   for (std::size_t n; (n = std::fread(buffer, 1, sizeof(buffer), file)) > 0;)
-   {
-      bytes.insert(bytes.end(), buffer, buffer + n);
-   }
-   const bool failed = std::ferror(file) != 0;
-   const std::string why = reason();
-   std::fclose(file);
-   if (failed)
-   {
-      Fail("read the checkpoint", path, why);
-   }
-   const std::size_t length = std::strlen(magic);
-   const std::string begin(bytes.begin(),
-                           bytes.begin() + std::min(bytes.size(), length));
-   if (begin.empty() || begin != std::string(magic).substr(0, begin.size()))
-   {
-      throw std::runtime_error("'" + path +
-                               "' is no checkpoint of this version");
-   }
-   std::vector<char> image(bytes.begin() + std::min(bytes.size(), head_size),
-                           bytes.end());
-   const std::string head(bytes.begin(),
-                          bytes.begin() + std::min(bytes.size(), head_size));
-   if (head != Head(image))
-   {
-      throw std::runtime_error("the checkpoint '" + path +
-                               "' is damaged: its contents are not those that "
-                               "were written");
-   }
-   return image;
-}
 } // namespace
 
-void WriteCheckpointFile(const std::string &path,
-                         const CheckpointContents &contents)
+void VerifyCheckpointFile(const std::string &path, MPI_Comm comm)
 {
-   std::vector<char> image;
-   try
-   {
-      image = Pack(contents);
-   }
-   catch (const std::runtime_error &error)
-   {
-      Fail("make the checkpoint", path, error.what());
-   }
-   const std::string head = Head(image);
-   const std::string fresh = path + ".new";
-   std::error_code error;
-   try
-   {
-      OutputFile file(fresh, OutputFile::Mode::truncate,
-                      "the checkpoint '" + path + "'");
-      file.Write(head);
-      file.Write(image.data(), image.size());
-      file.Sync();
-      file.Close();
-   }
-   catch (const std::runtime_error &)
-   {
-      std::filesystem::remove(fresh, error);
-      throw;
-   }
-   std::filesystem::rename(fresh, path, error);
-   if (error)
-   {
-      const std::string reason = error.message();
-      std::filesystem::remove(fresh, error);
-      Fail("write the checkpoint", path, reason);
-   }
-   // The new name is on the disk only when the directory is.
-   SyncDirectory(std::filesystem::absolute(path).parent_path());
+   std::string bytes;
+   unsigned long long size = 0;
+   OnRoot(comm,
+          [&]()
+          {
+             bytes = ReadHead(path);
+             const std::size_t all = InputFile(path).Size();
+             size = all - std::min(all, head::size);
+          });
+   MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
+   int rank = 0;
+   int ranks = 1;
+   MPI_Comm_rank(comm, &rank);
+   MPI_Comm_size(comm, &ranks);
+   constexpr std::size_t word = sizeof(std::uint64_t);
+   const std::size_t share = (size / word / ranks + 1) * word;
+   const std::size_t begin = std::min<std::size_t>(size, rank * share);
+   std::uint64_t sum = 0;
+   OnEachRank(comm,
+              [&]() {
+                 sum = SumOf(path, begin,
+                             std::min<std::size_t>(size, begin + share));
+              });
+   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm);
+   ThrowIfAny(comm, IsRoot(comm) && bytes != head::Text(size, sum)
+                       ? "the checkpoint '" + path +
+                            "' is damaged: its contents are not those that "
+                            "were written"
+                       : "");
 }
 
-CheckpointContents ReadCheckpointFile(const std::string &path)
+CheckpointContents ReadCheckpointContents(const std::string &path)
 {
-   std::vector<char> image = ReadImage(path);
    try
    {
-      return Unpack(image);
+      const Hdf5Guard file{OpenFile(path), H5Fclose};
+      return ContentsOf(file.id);
    }
    catch (const std::exception &error)
    {
@@ -294,9 +243,51 @@ CheckpointContents ReadCheckpointFile(const std::string &path)
    }
 }
 
-void VerifyCheckpointFile(const std::string &path)
+CheckpointFields::CheckpointFields(const std::string &path_) : path(path_)
 {
-   ReadImage(path);
+   try
+   {
+      file = OpenFile(path);
+   }
+   catch (const std::runtime_error &error)
+   {
+      Fail("read the checkpoint", path, error.what());
+   }
+}
+
+CheckpointFields::~CheckpointFields()
+{
+   H5Fclose(file);
+}
+
+std::vector<double> CheckpointFields::Read(const std::string &name,
+                                           std::size_t begin,
+                                           std::size_t count) const
+{
+   std::vector<double> values(count);
+   if (count == 0)
+   {
+      return values;
+   }
+   try
+   {
+      const Hdf5Guard fields{OpenGroup(file, groups::fields), H5Gclose};
+      const Hdf5Guard set{OpenSet(fields.id, name), H5Dclose};
+      const Hdf5Guard space{Verified(H5Dget_space(set.id)), H5Sclose};
+      const hsize_t first = begin;
+      const hsize_t size = count;
+      Verified(H5Sselect_hyperslab(space.id, H5S_SELECT_SET, &first, nullptr,
+                                   &size, nullptr));
+      const Hdf5Guard memory{H5Screate_simple(1, &size, nullptr), H5Sclose};
+      Verified(H5Dread(set.id, H5T_NATIVE_DOUBLE, memory.id, space.id,
+                       H5P_DEFAULT, values.data()));
+   }
+   catch (const std::runtime_error &error)
+   {
+      Fail("read the field '" + name + "' of the checkpoint", path,
+           error.what());
+   }
+   return values;
 }
 
 } // namespace synovia

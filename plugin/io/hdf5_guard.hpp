@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace synovia
@@ -40,6 +41,18 @@ inline std::string Hdf5Reason()
    std::string reason;
    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, KeepInnermost, &reason);
    return reason;
+}
+
+/// What HDF5 returned, an identifier or a status; throws std::runtime_error
+/// with the reason if it says that the call failed.
+template <typename Status>
+Status Verified(Status status)
+{
+   if (status < 0)
+   {
+      throw std::runtime_error(Hdf5Reason());
+   }
+   return status;
 }
 
 } // namespace synovia

@@ -18,6 +18,39 @@ namespace
    throw std::runtime_error("cannot write " + subject + ": " + reason);
 }
 
+int Flags(OutputFile::Mode mode)
+{
+   switch (mode)
+   {
+   case OutputFile::Mode::truncate:
+      return O_CREAT | O_TRUNC;
+   case OutputFile::Mode::append:
+      return O_CREAT | O_APPEND;
+   default:
+      return 0;
+   }
+}
+
+/// Calls @a write_some with what is to be written, as often as it takes; says
+/// whether it succeeded.
+template <typename WriteSome>
+bool WriteAll(const char *bytes, std::size_t count, WriteSome write_some)
+{
+   for (std::size_t done = 0; done < count;)
+   {
+      const ssize_t written = write_some(bytes + done, count - done, done);
+      if (written >= 0)
+      {
+         done += written;
+      }
+      else if (errno != EINTR)
+      {
+         return false;
+      }
+   }
+   return true;
+}
+
 std::string InQuotes(const std::string &path)
 {
    return "'" + path + "'";
@@ -27,10 +60,7 @@ std::string InQuotes(const std::string &path)
 OutputFile::OutputFile(const std::string &path, Mode mode,
                        const std::string &subject_)
    : subject(subject_.empty() ? InQuotes(path) : subject_),
-     descriptor(open(path.c_str(),
-                     O_WRONLY | O_CREAT | O_CLOEXEC |
-                        (mode == Mode::append ? O_APPEND : O_TRUNC),
-                     0666))
+     descriptor(open(path.c_str(), O_WRONLY | O_CLOEXEC | Flags(mode), 0666))
 {
    if (descriptor < 0)
    {
@@ -53,18 +83,22 @@ void OutputFile::Fail() const
 
 void OutputFile::Write(const char *bytes, std::size_t count)
 {
-   while (count > 0)
+   if (!WriteAll(bytes, count,
+                 [&](const char *from, std::size_t n, std::size_t)
+                 { return write(descriptor, from, n); }))
    {
-      const ssize_t written = write(descriptor, bytes, count);
-      if (written >= 0)
-      {
-         bytes += written;
-         count -= written;
-      }
-      else if (errno != EINTR)
-      {
-         Fail();
-      }
+      Fail();
+   }
+}
+
+void OutputFile::WriteAt(std::size_t begin, const char *bytes,
+                         std::size_t count)
+{
+   if (!WriteAll(bytes, count,
+                 [&](const char *from, std::size_t n, std::size_t done)
+                 { return pwrite(descriptor, from, n, begin + done); }))
+   {
+      Fail();
    }
 }
 

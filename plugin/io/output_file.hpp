@@ -17,7 +17,9 @@ public:
    enum class Mode
    {
       truncate,
-      append
+      append,
+      /// The file is there, and keeps what is not written.
+      update
    };
    /// Messages call the file @a subject, or by its path.
    OutputFile(const std::string &path, Mode mode,
@@ -29,6 +31,8 @@ public:
    /// Adds the bytes, all of which the system has on return.
    void Write(const char *bytes, std::size_t count);
    void Write(const std::string &bytes) { Write(bytes.data(), bytes.size()); }
+   /// The same, but @a begin bytes after the beginning of the file.
+   void WriteAt(std::size_t begin, const char *bytes, std::size_t count);
    /// Waits until the disk has them, too.
    void Sync();
    void Close();

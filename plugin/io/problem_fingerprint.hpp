@@ -1,6 +1,6 @@
 #pragma once
 
-#include "synovia/io/checkpoint_file.hpp"
+#include "synovia/io/checkpoint_contents.hpp"
 #include "synovia/physics/biphasic_problem.hpp"
 
 #include <string>

@@ -6,9 +6,9 @@
 // layer, and its contact comes and goes.
 
 #include "parallel/held_box.hpp"
+#include "support/gathered_order.hpp"
 #include "support/pressed_box.hpp"
 #include "support/temporary_directory.hpp"
-#include "synovia/io/canonical_order.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -64,8 +64,7 @@ PressedBoxOptions Options(const Setup &setup)
 std::vector<double> Gather(PressedBox &box, const ParFiniteElementSpace &space,
                            const Vector &values)
 {
-   return CanonicalOrder(space, box.Problem().Mesh().SerialElements())
-      .Gather(values);
+   return GatherInOrder(box.Problem().Mesh(), space, values);
 }
 
 /// Goes on until @a until is passed, or to the end.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "support/box_case.hpp"
-#include "synovia/io/canonical_order.hpp"
+#include "support/gathered_order.hpp"
 #include "synovia/io/step_diagnostics.hpp"
 
 #include <catch2/catch.hpp>
@@ -104,10 +104,7 @@ public:
    /// Goes on until @a until is reached, or to the end.
    std::vector<Row> March(mfem::real_t until)
    {
-      const std::vector<int> &elements = mesh.SerialElements();
       BiphasicSpaces &spaces = Problem().Spaces();
-      const CanonicalOrder displacements(spaces.Displacement(), elements);
-      const CanonicalOrder pressures(spaces.Pressure(), elements);
       std::vector<Row> rows;
       while (!stepper.Done() && stepper.Time() < until)
       {
@@ -116,9 +113,10 @@ public:
          REQUIRE(report.converged);
          CHECK(report.failures == 0);
          const mfem::BlockVector &state = stepper.State();
-         rows.push_back({StepDiagnostics(Problem(), stepper, report),
-                         displacements.Gather(state.GetBlock(0)),
-                         pressures.Gather(state.GetBlock(1))});
+         rows.push_back(
+            {StepDiagnostics(Problem(), stepper, report),
+             GatherInOrder(mesh, spaces.Displacement(), state.GetBlock(0)),
+             GatherInOrder(mesh, spaces.Pressure(), state.GetBlock(1))});
       }
       return rows;
    }

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sys/resource.h>
 
 using namespace mfem;
@@ -151,7 +152,7 @@ TEST_CASE("Any damage to a checkpoint is noticed, and nothing is changed")
       "'" + file + "' is no checkpoint of this version";
    CHECK(refused("") == foreign);
    CHECK(refused("t,dt\n1,2\n") == foreign);
-   CHECK(refused("synovia checkpoint 2" + good.substr(20)) == foreign);
+   CHECK(refused("synovia checkpoint 1" + good.substr(20)) == foreign);
    for (const double part : {0.001, 0.1, 0.5, 0.9, 0.9999})
    {
       const auto length = static_cast<std::size_t>(part * good.size());
@@ -322,4 +323,36 @@ TEST_CASE("A checkpoint of another problem is refused")
                           (directory / "none.h5") +
                           "': No such file or directory");
    }
+}
+
+TEST_CASE("A disk that is full for one rank is reported by all")
+{
+   const TemporaryDirectory directory;
+   Column column;
+   column.Step();
+   const std::string before = column.Save(directory.Path());
+   column.Step();
+   const int last = Mpi::WorldSize() - 1;
+   std::string message;
+   {
+      // The first rank has room for all but the values of fields, at least.
+      std::optional<FullDisk> full;
+      if (Mpi::WorldRank() == last)
+      {
+         full.emplace(last == 0 ? 3000 : 1);
+      }
+      try
+      {
+         column.Save(directory.Path());
+      }
+      catch (const Error &error)
+      {
+         message = error.what();
+      }
+   }
+   CHECK(message == "cannot write the checkpoint '" + directory.Path() +
+                       "/checkpoint_00000002.h5': File too large");
+   CHECK(Files(directory) ==
+         std::vector<std::string>{"checkpoint_00000001.h5"});
+   CHECK(FindCheckpoint(directory.Path(), MPI_COMM_WORLD).file == before);
 }
