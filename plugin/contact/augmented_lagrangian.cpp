@@ -165,7 +165,8 @@ Vector AugmentedLagrangian::TrialTractions(ContactStiffness stiffness) const
 }
 
 bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
-                                          ContactStiffness stiffness)
+                                          ContactStiffness stiffness,
+                                          real_t imbalance)
 {
    const Vector &area = constraint.Coverage().area;
    const Vector &own_area = constraint.Coverage().own_area;
@@ -207,10 +208,11 @@ bool AugmentedLagrangian::UpdateActiveSet(TouchRule rule,
    }
    else if (friction)
    {
-      changed = friction->UpdateSliding(
-                   TrialTractions(trial_stiffness), all_before,
-                   GapStiffnesses(trial_stiffness), penalties.Gap(), state) ||
-                changed;
+      changed =
+         friction->UpdateSliding(TrialTractions(trial_stiffness), all_before,
+                                 GapStiffnesses(trial_stiffness),
+                                 penalties.Gap(), imbalance, state) ||
+         changed;
    }
    if (friction)
    {

@@ -103,10 +103,12 @@ public:
    /// is within its tolerance: nothing drains through less, and if seals broke
    /// with each tensile vertex, Newton's method would not settle. As the
    /// fluid's pressure could open and close a seal again and again, each may
-   /// break once in a stage. Trial tractions are those of @a stiffness.
-   /// Collective; true if any rank's set changed.
+   /// break once in a stage. Trial tractions are those of @a stiffness, from a
+   /// state that leaves a node out of balance by as much as @a imbalance
+   /// (force). Collective; true if any rank's set changed, or is in doubt.
    bool UpdateActiveSet(TouchRule rule = TouchRule::traction,
-                        ContactStiffness stiffness = ContactStiffness::penalty);
+                        ContactStiffness stiffness = ContactStiffness::penalty,
+                        mfem::real_t imbalance = 0.0);
    /// Whether the last UpdateActiveSet() let vertices slide that stuck, or the
    /// other way, on any rank.
    bool SlidingChanged() const;

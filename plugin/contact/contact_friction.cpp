@@ -14,6 +14,9 @@ namespace
 {
 // As often a vertex may turn from sticking to sliding, or back, in a stage.
 constexpr int most_turns = 4;
+// What a trial has above its limit says something if it is as many times what
+// is out of balance.
+constexpr real_t reliable_excess = 2.0;
 
 using Unique = std::unique_ptr<HypreParMatrix>;
 
@@ -184,6 +187,7 @@ void ContactFriction::Archive(StateArchive &archive, const std::string &prefix)
 void ContactFriction::StartStage(FrictionState &state)
 {
    linearized = false;
+   decided = false;
    for (VertexSlip &vertex : state.vertices)
    {
       vertex.turns = 0;
@@ -334,9 +338,16 @@ void ContactFriction::PredictSliding(const Vector &normal,
 bool ContactFriction::UpdateSliding(const Vector &normal,
                                     const std::vector<VertexContact> &before,
                                     const Vector &stiffness,
-                                    const Vector &penalty, ContactState &state)
+                                    const Vector &penalty, real_t imbalance,
+                                    ContactState &state)
 {
+   // The first trials of a stage are those of a guess, and what is released
+   // against its slip takes its neighbors along.
+   const real_t doubtful = decided ? 0.0 : reliable_excess * imbalance;
+   decided = true;
+   const Vector &area = constraint.Coverage().area;
    bool changed = false;
+   bool waits = false;
    FrictionState &friction = state.friction;
    for (std::size_t i = 0; i < before.size(); i++)
    {
@@ -353,7 +364,11 @@ bool ContactFriction::UpdateSliding(const Vector &normal,
       const real_t limit = law.Limit(normal[j], friction.pressure[j]);
       const Point3 trial =
          Trial(friction, j, vertex.elastic ? penalty[j] : stiffness[j]);
-      const bool slides = Length(trial) > limit;
+      const real_t excess = Length(trial) - limit;
+      const bool doubts =
+         before[i].touches && !slid && area[j] * excess < doubtful;
+      waits = waits || (doubts && excess > 0.0);
+      const bool slides = excess > 0.0 && !doubts;
       // Nothing resists along the slip that there was: it would go to and fro.
       vertex.turned_round =
          slides && linearized && slid_when_linearized[i] &&
@@ -367,8 +382,9 @@ bool ContactFriction::UpdateSliding(const Vector &normal,
       }
       changed = changed || vertex.turned_round || turned_round;
    }
-   sliding_changed = AnyRank(changed, destination.Spaces().GetComm());
-   return sliding_changed;
+   MPI_Comm comm = destination.Spaces().GetComm();
+   sliding_changed = AnyRank(changed, comm);
+   return AnyRank(changed || waits, comm);
 }
 
 void ContactFriction::UpdateTractions(const Vector &stiffness,

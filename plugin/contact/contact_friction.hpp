@@ -73,12 +73,15 @@ public:
                        const mfem::Vector &stiffness, ContactState &state);
    /// Decides what slides under these @a normal tractions, with trials of this
    /// @a stiffness (stress / length); says whether anything changed on any
-   /// rank.
+   /// rank, or waits. What sticks waits for the second decision of a stage
+   /// where its trial exceeds the limit by little beside the largest
+   /// @a imbalance of a node (force).
    bool UpdateSliding(const mfem::Vector &normal,
                       const std::vector<VertexContact> &before,
                       const mfem::Vector &stiffness,
-                      const mfem::Vector &penalty, ContactState &state);
-   /// Whether it did the last time; not collective.
+                      const mfem::Vector &penalty, mfem::real_t imbalance,
+                      ContactState &state);
+   /// Whether anything changed the last time; not collective.
    bool SlidingChanged() const { return sliding_changed; }
    /// Sets the tractions, with trials of this @a stiffness (stress / length).
    /// Not collective.
@@ -181,6 +184,8 @@ private:
    std::unique_ptr<mfem::HypreParMatrix> soft_force_change;
    std::unique_ptr<mfem::HypreParMatrix> force_by_pressure;
    bool sliding_changed = false;
+   /// Whether UpdateSliding() has decided in this stage.
+   bool decided = false;
    /// Of tractions at the last LagLimits() (stress).
    mfem::Vector lagged_limit;
    /// Tractions of the last Linearize() in this stage, if there was one, and

@@ -109,7 +109,9 @@ bool PrimalDualNewton::Solve(ImplicitStage &stage, ResidualTolerance &tolerance)
          continue;
       }
       has_stepped = true;
-      set_changed = contact.Update(stage, ContactStiffness::bodies);
+      set_changed =
+         contact.Update(stage, ContactStiffness::bodies,
+                        contact.HasFriction() ? LargestImbalance() : 0.0);
       set_rests = !set_changed;
       set_has_changed = set_has_changed || set_changed;
       evaluated = !set_changed;
@@ -405,6 +407,13 @@ std::string PrimalDualNewton::FindObstacle(const ImplicitStage &stage,
           " to " + ToText(now) + " times its tolerance, most of all at (" +
           ToText(place[0]) + ", " + ToText(place[1]) + ", " + ToText(place[2]) +
           ")";
+}
+
+real_t PrimalDualNewton::LargestImbalance() const
+{
+   const Vector &forces = residual.GetBlock(0);
+   return MaxOverRanks(forces.Size() > 0 ? forces.Normlinf() : 0.0,
+                       spaces.GetComm());
 }
 
 Point3 PrimalDualNewton::WorstPlace() const

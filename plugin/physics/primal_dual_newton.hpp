@@ -102,6 +102,9 @@ private:
    std::string FindObstacle(const ImplicitStage &stage, mfem::real_t share,
                             mfem::real_t norm,
                             const ResidualTolerance &tolerance);
+   /// By how much any component of a nodal force is out of balance in the last
+   /// residual.
+   mfem::real_t LargestImbalance() const;
    /// Where the forces are least in balance.
    Point3 WorstPlace() const;
 

@@ -144,13 +144,15 @@ bool StageContact::SearchDrifted(ImplicitStage &stage,
    return drifted;
 }
 
-bool StageContact::Update(ImplicitStage &stage, ContactStiffness stiffness)
+bool StageContact::Update(ImplicitStage &stage, ContactStiffness stiffness,
+                          real_t imbalance)
 {
    bool changed = false;
    unsettled.clear();
    for (ContactPair *pair : pairs)
    {
-      if (pair->Enforcement().UpdateActiveSet(TouchRule::traction, stiffness))
+      if (pair->Enforcement().UpdateActiveSet(TouchRule::traction, stiffness,
+                                              imbalance))
       {
          changed = true;
          unsettled += (unsettled.empty() ? "" : ", ") + pair->Name();

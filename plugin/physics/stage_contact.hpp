@@ -45,8 +45,10 @@ public:
    /// part of the size of their faces that didn't before.
    mfem::real_t ShareBeforeOverlap(const mfem::Vector &displacement) const;
    /// Decides anew what touches, from the gaps as they were evaluated last and
-   /// trial tractions of @a stiffness; says whether anything changed.
-   bool Update(ImplicitStage &stage, ContactStiffness stiffness);
+   /// trial tractions of @a stiffness, where a node may be out of balance by
+   /// @a imbalance (force); says whether anything changed, or is in doubt.
+   bool Update(ImplicitStage &stage, ContactStiffness stiffness,
+               mfem::real_t imbalance = 0.0);
    /// Lets pairs search anew whose points have gone to other partners, and
    /// updates them; says whether any did. Pairs that keep what former steps
    /// have found look only where the active set has @a settled.

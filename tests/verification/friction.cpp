@@ -3,11 +3,13 @@
 //
 // Coulomb's friction between drained blocks in finite deformation: an elastic
 // block sticks below the angle of friction and slides above it, a block that
-// is moved to and fro gives back what friction does not take, and a loaded pair
-// that turns as a whole keeps its tractions.
+// is moved to and fro gives back what friction does not take, what a round one
+// gives without being paid for vanishes with smaller elements and steps, and a
+// loaded pair that turns as a whole keeps its tractions.
 
 #include "support/boxes.hpp"
 #include "synovia/contact/contact_diagnostics.hpp"
+#include "synovia/contact/contact_friction.hpp"
 #include "synovia/general/reduce.hpp"
 #include "synovia/materials/permeabilities/constant_permeability.hpp"
 #include "synovia/materials/solids/neo_hookean.hpp"
@@ -31,11 +33,20 @@ constexpr real_t layer_modulus = 0.5;
 constexpr real_t block_modulus = 5.0;
 constexpr real_t poisson = 0.3;
 
+struct BlocksOptions
+{
+   /// Times as many elements each way.
+   int refinement = 1;
+   /// Curvature of the block's bottom, a cylinder across the slide.
+   real_t curvature = 0.0;
+};
+
 /// A layer that is held at its bottom, and a block on it, in plane strain.
 class Blocks
 {
 public:
-   Blocks() : mesh(Mesh()), problem(mesh, Space())
+   explicit Blocks(const BlocksOptions &options = BlocksOptions())
+      : mesh(Mesh(options)), problem(mesh, Space())
    {
       problem.SetMaterial("lower", layer, fluid);
       problem.SetMaterial("upper", block, fluid);
@@ -68,23 +79,27 @@ public:
    }
 
 private:
-   static NamedMesh Mesh()
+   static NamedMesh Mesh(const BlocksOptions &options)
    {
       BoxOptions lower;
-      lower.nx = 8;
-      lower.nz = 2;
+      lower.nx = 8 * options.refinement;
+      lower.nz = 2 * options.refinement;
       lower.size_x = 1.6;
       lower.size_y = 0.2;
       lower.size_z = 0.3;
       BoxOptions upper = lower;
-      upper.nx = 5;
-      upper.nz = 1;
+      upper.nx = 5 * options.refinement;
+      upper.nz = options.refinement;
       upper.size_x = 0.8;
       upper.size_z = 0.15;
       mfem::Mesh mesh = MakeStackMesh(lower, upper);
       for (int i = MakeBoxMesh(lower).GetNV(); i < mesh.GetNV(); i++)
       {
-         mesh.GetVertex(i)[0] += 0.33;
+         real_t *vertex = mesh.GetVertex(i);
+         const real_t x = vertex[0] - 0.5 * upper.size_x;
+         const real_t height = (vertex[2] - lower.size_z) / upper.size_z;
+         vertex[2] += 0.5 * options.curvature * x * x * (1.0 - height);
+         vertex[0] += 0.33;
       }
       return DistributeStack(mesh, MPI_COMM_WORLD);
    }
@@ -222,14 +237,115 @@ real_t StoredEnergy(const ParGridFunction &u)
    }
    return SumOverRanks(energy, mesh.GetComm());
 }
+
+/// Nodal forces of a pair's normal tractions on the bodies.
+Vector NormalForces(BiphasicProblem &problem)
+{
+   const ContactPair &pair = *problem.Operator().Pairs().front();
+   Vector forces(problem.Spaces().Displacement().GetTrueVSize());
+   Vector flows(problem.Spaces().Pressure().GetTrueVSize());
+   Vector rubbing(forces.Size());
+   forces = 0.0;
+   flows = 0.0;
+   rubbing = 0.0;
+   pair.AddForces(forces, flows);
+   pair.Enforcement().Friction()->AddForces(
+      pair.State().friction, pair.Constraint().Coverage().area, rubbing);
+   forces -= rubbing;
+   return forces;
+}
+
+/// A block that is moved at its top, and what becomes of the work.
+class MovedBlocks
+{
+public:
+   /// All since the run began, but for the force.
+   struct Account
+   {
+      real_t time = 0.0;
+      Point3 force{{0.0, 0.0, 0.0}};
+      /// Of what moves the block, and of the normal tractions, which vanishes
+      /// with the elements' size.
+      real_t work = 0.0;
+      real_t normal_work = 0.0;
+      real_t stored = 0.0;
+      real_t dissipated = 0.0;
+      /// Part of the area in contact.
+      real_t sliding = 0.0;
+
+      /// What bodies didn't give back.
+      real_t Lost() const { return work - stored; }
+   };
+
+   MovedBlocks(const LoadCurve &along_, const LoadCurve &up_,
+               const BlocksOptions &options = BlocksOptions())
+      : blocks(options), along(along_), up(up_), stepper(MakeStepper()),
+        displacement(Space().GetTrueVSize()), normal_forces(displacement.Size())
+   {
+      displacement = 0.0;
+      normal_forces = 0.0;
+   }
+
+   bool Done() const { return stepper.Done(); }
+   /// Work by the trapezoidal rule.
+   Account Step()
+   {
+      blocks.Step(stepper);
+      Account now;
+      now.time = stepper.Time();
+      now.force = blocks.problem.Reaction(blocks.problem.Supports().back());
+      now.stored = StoredEnergy(stepper.Displacement());
+      const FrictionDiagnostics friction = blocks.Friction();
+      now.dissipated = friction.dissipation;
+      now.sliding = friction.sliding;
+      const Point3 motion{{along(now.time) - along(last.time), 0.0,
+                           up(now.time) - up(last.time)}};
+      now.work = last.work + 0.5 * Dot(Sum(last.force, 1.0, now.force), motion);
+      Vector u;
+      stepper.Displacement().GetTrueDofs(u);
+      Vector moved(u);
+      moved -= displacement;
+      const Vector forces = NormalForces(blocks.problem);
+      const real_t work = 0.5 * ((normal_forces * moved) + (forces * moved));
+      now.normal_work =
+         last.normal_work + SumOverRanks(work, Space().GetComm());
+      displacement = u;
+      normal_forces = forces;
+      last = now;
+      return now;
+   }
+
+private:
+   ParFiniteElementSpace &Space()
+   {
+      return blocks.problem.Spaces().Displacement();
+   }
+   TimeStepper MakeStepper()
+   {
+      BiphasicProblem &problem = blocks.problem;
+      problem.PrescribeDisplacement("upper_z1", 0, along);
+      problem.PrescribeDisplacement("upper_z1", 1, 0.0);
+      problem.PrescribeDisplacement("upper_z1", 2, up);
+      TimeOptions times;
+      times.end = up.Corners().back();
+      times.step = long_time;
+      return TimeStepper(problem, times);
+   }
+
+   Blocks blocks;
+   LoadCurve along;
+   LoadCurve up;
+   TimeStepper stepper;
+   Account last;
+   Vector displacement;
+   Vector normal_forces;
+};
 } // namespace
 
 TEST_CASE("What is moved to and fro gives back what friction does not take")
 {
    // Pressed, moved out, back and forth, and lifted: in no step the bodies give
    // more than they have stored, nor friction takes what isn't paid for.
-   Blocks blocks;
-   BiphasicProblem &problem = blocks.problem;
    constexpr int steps = 16;
    constexpr int lifting = 8;
    constexpr real_t depth = 0.02;
@@ -238,61 +354,38 @@ TEST_CASE("What is moved to and fro gives back what friction does not take")
    const real_t quarter = steps * long_time;
    const real_t lift = begin + 5.0 * quarter;
    const real_t apart = lift + lifting * long_time;
-   TimeOptions times;
-   times.end = apart + long_time;
-   times.step = long_time;
-   const LoadCurve along(
-      {0.0, begin, begin + quarter, begin + 3.0 * quarter, lift},
-      {0.0, 0.0, way, -way, way});
-   const LoadCurve up({0.0, begin, lift, apart, times.end},
-                      {0.0, -depth, -depth, 0.0, 0.1 * depth});
-   problem.PrescribeDisplacement("upper_z1", 0, along);
-   problem.PrescribeDisplacement("upper_z1", 1, 0.0);
-   problem.PrescribeDisplacement("upper_z1", 2, up);
-   TimeStepper stepper(problem, times);
-   /// All since the run began, but for the force.
-   struct Account
-   {
-      real_t time = 0.0;
-      Point3 force{{0.0, 0.0, 0.0}};
-      real_t work = 0.0;
-      real_t stored = 0.0;
-      real_t dissipated = 0.0;
-   };
-   Account before;
-   Account turned;
-   Account back_again;
+   MovedBlocks blocks(
+      LoadCurve({0.0, begin, begin + quarter, begin + 3.0 * quarter, lift},
+                {0.0, 0.0, way, -way, way}),
+      LoadCurve({0.0, begin, lift, apart, apart + long_time},
+                {0.0, -depth, -depth, 0.0, 0.1 * depth}));
+   MovedBlocks::Account before;
+   MovedBlocks::Account turned;
+   MovedBlocks::Account back_again;
    real_t most_stored = 0.0;
    real_t least_sliding = 1.0;
-   while (!stepper.Done())
+   while (!blocks.Done())
    {
-      blocks.Step(stepper);
-      Account now;
-      now.time = stepper.Time();
-      now.force = problem.Reaction(problem.Supports().back());
-      now.stored = StoredEnergy(stepper.Displacement());
-      now.dissipated = blocks.Friction().dissipation;
-      const Point3 motion{{along(now.time) - along(before.time), 0.0,
-                           up(now.time) - up(before.time)}};
-      // Of all that moves the bodies.
-      const real_t work =
-         0.5 * (Dot(before.force, motion) + Dot(now.force, motion));
-      now.work = before.work + work;
+      const MovedBlocks::Account now = blocks.Step();
       most_stored = std::max(most_stored, now.stored);
-      // What bodies and friction didn't give back.
-      const real_t lost = work - (now.stored - before.stored);
+      const real_t lost = now.Lost() - before.Lost();
       const real_t taken = now.dissipated - before.dissipated;
-      const real_t sliding = blocks.Friction().sliding;
-      CAPTURE((now.time - begin) / long_time, work, lost, taken, sliding);
+      const real_t by_pressure = now.normal_work - before.normal_work;
+      CAPTURE((now.time - begin) / long_time, lost, taken, by_pressure,
+              now.sliding);
       // Up to the error of the trapezoidal rule.
       CHECK(lost >= -2e-4 * most_stored);
-      // Forces of the contact are no gradient of the gap: under the sharp edges
-      // of the block pressure gives and takes by the place, in a step up to 3 %
-      // of what friction takes where all slides. With half the step, or
-      // elements of half the size, it is as much.
+      // Points slide along the source, but are pushed along normals of the
+      // destination: where the two differ, pressure gives and takes by the
+      // place. Under the sharp edges of the block they do however small the
+      // elements are. In this slide pressure gives up to 3 % of what friction
+      // takes where all slides; over a way of 0.2 on average 2.8, 2.1 and 2.4 %
+      // either way, with elements of 0.2, 0.1 and 0.05, four fifths of it next
+      // to the edges. Nothing else does.
       const real_t slide =
          mu * Length({{0.0, 0.0, now.force[2]}}) * way / steps;
       CHECK(lost >= taken - 0.03 * slide - 2e-4 * most_stored);
+      CHECK(lost + by_pressure >= taken - 0.005 * slide - 2e-4 * most_stored);
       if (std::abs(now.time - begin - quarter) < 0.5 * long_time)
       {
          turned = now;
@@ -300,11 +393,11 @@ TEST_CASE("What is moved to and fro gives back what friction does not take")
       if (std::abs(now.time - lift) < 0.5 * long_time)
       {
          back_again = now;
-         CHECK(sliding == 1.0);
+         CHECK(now.sliding == 1.0);
       }
       if (now.time > begin + quarter && now.time < lift)
       {
-         least_sliding = std::min(least_sliding, sliding);
+         least_sliding = std::min(least_sliding, now.sliding);
       }
       before = now;
    }
@@ -312,13 +405,61 @@ TEST_CASE("What is moved to and fro gives back what friction does not take")
    // From the first turning point to where it comes by again what the place
    // gives it takes.
    const real_t taken = back_again.dissipated - turned.dissipated;
-   const real_t lost =
-      back_again.work - turned.work - (back_again.stored - turned.stored);
+   const real_t lost = back_again.Lost() - turned.Lost();
    CHECK(std::abs(back_again.stored - turned.stored) <= 0.01 * taken);
    CHECK(lost == Approx(taken).epsilon(5e-3));
    // Lifted, bodies have nothing left.
    CHECK(before.stored <= 1e-9 * most_stored);
    CHECK(before.work >= before.dissipated);
+}
+
+TEST_CASE("A round block that slides gives nothing away")
+{
+   // Contact that ends within the faces. With elements and steps of half the
+   // size pressure gives a third as much, 2.9, 0.9 and 0.3 % of what friction
+   // takes, and in no step friction takes more than is paid for.
+   constexpr int pressing = 4;
+   constexpr real_t depth = 0.02;
+   constexpr real_t way = 0.1;
+   const real_t begin = pressing * long_time;
+   std::vector<real_t> by_pressure;
+   for (const int refinement : {1, 2})
+   {
+      BlocksOptions options;
+      options.refinement = refinement;
+      options.curvature = 0.5;
+      const int steps = 10 * refinement;
+      const real_t end = begin + steps * long_time;
+      MovedBlocks blocks(LoadCurve({0.0, begin, end}, {0.0, 0.0, way}),
+                         LoadCurve({0.0, begin, end}, {0.0, -depth, -depth}),
+                         options);
+      by_pressure.push_back(0.0);
+      MovedBlocks::Account before;
+      while (!blocks.Done())
+      {
+         const MovedBlocks::Account now = blocks.Step();
+         if (now.time > begin + 0.5 * long_time)
+         {
+            const real_t slide = mu * std::abs(now.force[2]) * way / steps;
+            const real_t lost = (now.Lost() - before.Lost()) / slide;
+            const real_t taken = (now.dissipated - before.dissipated) / slide;
+            const real_t given = (now.normal_work - before.normal_work) / slide;
+            // Where sliding begins within a step, the trapezoidal rule takes
+            // forces for smaller than they are, by as much as they grow.
+            const bool begins = before.sliding < 1.0;
+            const real_t tolerance =
+               begins ? 0.1 / refinement : 0.05 / (refinement * refinement);
+            CAPTURE(refinement, (now.time - begin) / long_time, lost, taken,
+                    given, now.sliding);
+            CHECK(lost >= taken - tolerance);
+            by_pressure.back() = std::max(by_pressure.back(), std::abs(given));
+         }
+         before = now;
+      }
+      CHECK(before.sliding == 1.0);
+   }
+   CHECK(by_pressure[0] < 0.035);
+   CHECK(by_pressure[1] < 0.35 * by_pressure[0]);
 }
 
 namespace
@@ -398,18 +539,13 @@ TEST_CASE("A pair that turns as a whole keeps its friction")
    times.step = 0.5 * long_time;
    TimeStepper stepper(problem, times);
    ContactDiagnostics before;
-   int hard_steps = 0;
    while (!stepper.Done())
    {
       const StepReport report = stepper.Step();
       CAPTURE(report.reason, report.time / long_time, report.solve.newton);
       REQUIRE(report.converged);
       CHECK(report.failures == 0);
-      // But for one step in which what slides begins to turn about its normal,
-      // and goes back to sticking in part.
-      const bool hard = axis == 2 && report.solve.newton > most_iterations;
-      hard_steps += hard ? 1 : 0;
-      CHECK(report.solve.newton <= (hard ? 12 : most_iterations));
+      CHECK(report.solve.newton <= most_iterations);
       if (std::abs(stepper.Time() / long_time - 4.0) < 1e-6)
       {
          before = Diagnose(*problem.Operator().Pairs().front());
@@ -417,7 +553,6 @@ TEST_CASE("A pair that turns as a whole keeps its friction")
    }
    const ContactDiagnostics after =
       Diagnose(*problem.Operator().Pairs().front());
-   CHECK(hard_steps <= 1);
    const int i = (axis + 1) % 3;
    const int k = (axis + 2) % 3;
    const auto compare = [&](const Point3 &now, const Point3 &then)
