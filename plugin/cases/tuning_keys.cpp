@@ -53,8 +53,9 @@ KeyTable ContactKeys(ContactTuning &contact)
    Add(keys, "drift_of_area", contact.drift_of_area, NumberRange::AtLeast(0.0),
        "the same for the area around a vertex, as a part of it");
    Add(keys, "kept_slide", contact.kept_slide, NumberRange::AtLeast(0.0),
-       "in finite deformation, parts of a face that pairs without friction "
-       "slide before they look for partners anew");
+       "parts of a face that pairs without friction slide before they look for "
+       "partners anew, in infinitesimal strain those of the current "
+       "configuration");
    return keys;
 }
 

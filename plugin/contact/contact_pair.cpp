@@ -34,7 +34,8 @@ std::unique_ptr<ContactConstraint> MakeConstraint(ContactGeometry &geometry,
          geometry, options.initial_overlap, gap_tolerance, of_pair);
    }
    return std::make_unique<InfinitesimalConstraint>(
-      geometry, options.configuration, options.initial_overlap);
+      geometry, options.configuration, options.initial_overlap,
+      tuning.kept_slide);
 }
 
 std::unique_ptr<ContactFriction> MakeFriction(const std::string &pair,

@@ -56,10 +56,12 @@ struct ContactTuning
    mfem::real_t drift_of_tolerance = 10.0;
    mfem::real_t drift_of_gap = 0.01;
    mfem::real_t drift_of_area = 0.02;
-   /// In finite deformation, pairs that slide by less than this part of a face
-   /// in a time step look for each other no more, unless they rub, until they
-   /// have slid by as much. Larger: fewer sets that change, but areas of
-   /// contact lag behind the motion by up to that. 0: each step looks anew.
+   /// Pairs that hardly slide keep what they have found of each other, unless
+   /// they rub, until they have slid by this part of a face: in finite
+   /// deformation if they slide by less in a time step, in infinitesimal strain
+   /// if they look for each other as deformed. Larger: fewer sets and matrices
+   /// that change, but areas of contact lag behind the motion by up to that. 0:
+   /// each step looks anew.
    mfem::real_t kept_slide = 0.0;
 };
 

@@ -25,6 +25,7 @@ struct Setup
    int order = 1;
    LinearMethod method = LinearMethod::direct;
    Deformation deformation = Deformation::infinitesimal;
+   SearchConfiguration configuration = SearchConfiguration::reference;
    real_t slide = 0.0;
    SolverTuning tuning;
    real_t gap_tolerance = 0.0;
@@ -52,6 +53,7 @@ PressedBoxOptions Options(const Setup &setup)
    options.order = setup.order;
    options.method = setup.method;
    options.deformation = setup.deformation;
+   options.configuration = setup.configuration;
    options.slide = setup.slide;
    options.relative_tolerance = 1e-12;
    options.tuning = setup.tuning;
@@ -320,6 +322,26 @@ TEST_CASE(
    {
       // With points of every step a seal that goes to and fro stays as the
       // iterates of the solve found it.
+      setup.tuning.contact.kept_slide = 0.2;
+   }
+   const TemporaryDirectory directory;
+   const WatchedRun whole = RunThrough(setup, directory.Path(), MPI_COMM_WORLD);
+   Compare(Resume(setup, whole.file, MPI_COMM_WORLD), whole.rows, 1e-10);
+}
+
+TEST_CASE("A run resumed in infinitesimal strain, while the box slides, equals "
+          "the uninterrupted one")
+{
+   Setup setup;
+   setup.times.end = PressedBox::end;
+   setup.times.step = 10.0;
+   setup.interruption = 40.0;
+   setup.configuration = SearchConfiguration::current;
+   setup.slide = 0.2;
+   setup.method = LinearMethod::block_amg;
+   SECTION("with operators that each step finds") {}
+   SECTION("with those of former steps until it slides")
+   {
       setup.tuning.contact.kept_slide = 0.2;
    }
    const TemporaryDirectory directory;

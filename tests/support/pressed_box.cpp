@@ -76,6 +76,7 @@ PressedBox::PressedBox(MPI_Comm comm, const PressedBoxOptions &options)
       "upper_z1", 2, LoadCurve({0.0, 40.0, end}, {0.0, -0.03, -0.01}));
    problem.PrescribePressure("upper_z1", 0.0);
    ContactOptions contact;
+   contact.configuration = options.configuration;
    contact.gap_tolerance = options.gap_tolerance;
    contact.pressure_tolerance = options.pressure_tolerance;
    contact.friction = options.friction;

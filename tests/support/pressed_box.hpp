@@ -9,6 +9,7 @@ struct PressedBoxOptions
 {
    int order = 1;
    Deformation deformation = Deformation::infinitesimal;
+   SearchConfiguration configuration = SearchConfiguration::reference;
    /// Along x, of the box's top in all (length).
    mfem::real_t slide = 0.0;
    LinearMethod method = LinearMethod::direct;
