@@ -45,10 +45,9 @@ VectorByComponent FindSlip(const ContactGeometry &geometry,
       slip[c].HostReadWrite();
       for (int j = 0; j < slip[c].Size(); j++)
       {
-         slip[c][j] =
-            coverage.area[j] > 0.0
-               ? slip[c][j] / coverage.own_area[j] - destination[j]
-               : 0.0;
+         slip[c][j] = coverage.area[j] > 0.0
+                         ? slip[c][j] / coverage.own_area[j] - destination[j]
+                         : 0.0;
       }
    }
    return slip;
@@ -220,8 +219,8 @@ void InfinitesimalConstraint::Evaluate(const Vector &u, const Vector &p,
    gap.HostReadWrite();
    for (int j = 0; j < gap.Size(); j++)
    {
-      gap[j] += gap_offset[j] +
-                (operators.area[j] > 0.0 ? removed_overlap[j] : 0.0);
+      gap[j] +=
+         gap_offset[j] + (operators.area[j] > 0.0 ? removed_overlap[j] : 0.0);
    }
 }
 
