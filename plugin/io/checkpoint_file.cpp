@@ -104,10 +104,11 @@ std::uint64_t SumOf(const std::string &path, std::size_t begin, std::size_t end)
    return sum.Value();
 }
 
-std::string ReadHead(const std::string &path)
+/// Of a file that was not read from yet.
+std::string ReadHead(InputFile &file, const std::string &path)
 {
    std::string bytes(head::size, '\0');
-   bytes.resize(InputFile(path).Read(bytes.data(), bytes.size()));
+   bytes.resize(file.Read(bytes.data(), bytes.size()));
    const std::string magic = head::magic;
    const std::string begin = bytes.substr(0, magic.size());
    if (begin.empty() || begin != magic.substr(0, begin.size()))
@@ -204,9 +205,9 @@ void VerifyCheckpointFile(const std::string &path, MPI_Comm comm)
    OnRoot(comm,
           [&]()
           {
-             bytes = ReadHead(path);
-             const std::size_t all = InputFile(path).Size();
-             size = all - std::min(all, head::size);
+             InputFile file(path);
+             bytes = ReadHead(file, path);
+             size = file.Size() - bytes.size();
           });
    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
    int rank = 0;

@@ -78,28 +78,28 @@ CheckpointWriter::CheckpointWriter(const std::string &path_,
              const CheckpointLayout layout = MakeLayout(path, contents);
              field_begins = layout.field_begins;
              size = layout.size;
-             OutputFile all_else(fresh, OutputFile::Mode::truncate, subject);
+             file = std::make_unique<OutputFile>(
+                fresh, OutputFile::Mode::truncate, subject);
              for (const CheckpointLayout::Piece &piece : layout.pieces)
              {
-                all_else.WriteAt(head::size + piece.begin, piece.bytes.data(),
-                                 piece.bytes.size());
+                file->WriteAt(head::size + piece.begin, piece.bytes.data(),
+                              piece.bytes.size());
                 sum.Add(piece.begin, piece.bytes.data(), piece.bytes.size());
              }
-             all_else.Close();
           });
    for (const auto &[name, count] : contents.field_sizes)
    {
       BroadcastSize(field_begins[name], comm);
    }
-   try
-   {
-      file =
-         std::make_unique<OutputFile>(fresh, OutputFile::Mode::update, subject);
-   }
-   catch (const std::runtime_error &error)
-   {
-      failure = error.what();
-   }
+   OnEachRank(comm,
+              [&]()
+              {
+                 if (!IsRoot(comm))
+                 {
+                    file = std::make_unique<OutputFile>(
+                       fresh, OutputFile::Mode::update, subject);
+                 }
+              });
 }
 
 void CheckpointWriter::Write(const std::string &field, std::size_t begin,
@@ -127,15 +127,21 @@ void CheckpointWriter::Write(const std::string &field, std::size_t begin,
 void CheckpointWriter::Finish()
 {
    ThrowIfAny(comm, failure);
-   OnEachRank(comm, [&]() { SyncAndClose(*file); });
+   OnEachRank(comm,
+              [&]()
+              {
+                 if (!IsRoot(comm))
+                 {
+                    SyncAndClose(*file);
+                 }
+              });
    std::uint64_t total = sum.Value();
    MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_UINT64_T, MPI_SUM, comm);
    OnRoot(comm,
           [&]()
           {
-             OutputFile first(fresh, OutputFile::Mode::update, subject);
-             first.WriteAt(0, head::Text(size, total).data(), head::size);
-             SyncAndClose(first);
+             file->WriteAt(0, head::Text(size, total).data(), head::size);
+             SyncAndClose(*file);
              std::error_code error;
              std::filesystem::rename(fresh, path, error);
              if (error)

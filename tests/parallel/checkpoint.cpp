@@ -295,16 +295,26 @@ TEST_CASE("A run resumed by more ranks, or on the first of them, equals the "
    }
 }
 
-TEST_CASE(
-   "A run resumed in finite deformation, while the box slides, equals the "
-   "uninterrupted one")
+namespace
+{
+/// Of a box that slides when the checkpoint is written.
+Setup MakeSlidingSetup()
 {
    Setup setup;
    setup.times.end = PressedBox::end;
    setup.times.step = 10.0;
    setup.interruption = 40.0;
-   setup.deformation = Deformation::finite;
    setup.slide = 0.2;
+   return setup;
+}
+} // namespace
+
+TEST_CASE(
+   "A run resumed in finite deformation, while the box slides, equals the "
+   "uninterrupted one")
+{
+   Setup setup = MakeSlidingSetup();
+   setup.deformation = Deformation::finite;
    // The resumed run begins from other factors. For them to have no say in what
    // Newton's method ends with, its last iterations are complete and solved to
    // the end, and gaps and jumps are closed.
@@ -332,12 +342,8 @@ TEST_CASE(
 TEST_CASE("A run resumed in infinitesimal strain, while the box slides, equals "
           "the uninterrupted one")
 {
-   Setup setup;
-   setup.times.end = PressedBox::end;
-   setup.times.step = 10.0;
-   setup.interruption = 40.0;
+   Setup setup = MakeSlidingSetup();
    setup.configuration = SearchConfiguration::current;
-   setup.slide = 0.2;
    setup.method = LinearMethod::block_amg;
    SECTION("with operators that each step finds") {}
    SECTION("with those of former steps until it slides")
@@ -351,12 +357,8 @@ TEST_CASE("A run resumed in infinitesimal strain, while the box slides, equals "
 
 TEST_CASE("A run resumed while the box rubs equals the uninterrupted one")
 {
-   Setup setup;
-   setup.times.end = PressedBox::end;
-   setup.times.step = 10.0;
-   setup.interruption = 40.0;
+   Setup setup = MakeSlidingSetup();
    setup.deformation = Deformation::finite;
-   setup.slide = 0.2;
    setup.friction.coefficient = 0.1;
    setup.tuning.newton.kept_tangent = 0.0;
    setup.tuning.newton.largest_forcing = 1e-6;
